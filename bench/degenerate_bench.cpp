@@ -42,8 +42,8 @@ Workload scaled_lattice(std::size_t side, double unit) {
   return workload;
 }
 
-/// Returns as many rectangles as the scene has items, in its domain, each a little smaller than a cell of the domain.
-/// Few of them touch another.
+/// Returns as many rectangles as the scene has items, in its domain, each a little smaller than a square of a grid over
+/// the domain. Few of them touch another.
 Workload random_rectangles(const Workload& scene) {
   Random random(301);
   Workload workload{scene.domain, {}, {}};

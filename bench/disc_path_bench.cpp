@@ -43,7 +43,7 @@ constexpr std::array<Algorithm, 2> kAlgorithms = {{
     {"tra", PathAlgorithm::tra},
 }};
 
-/// In cells of the map.
+/// In tiles of the map.
 constexpr std::array<double, 5> kRadii = {0.25, 0.5, 1.0, 2.0, 4.0};
 
 /// The disc and the point agent take turns, this many times. The shorter time of each counts.

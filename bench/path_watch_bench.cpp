@@ -57,7 +57,7 @@ enum class Where {
   anywhere   ///< in the domain
 };
 
-/// A building: a square of two cells.
+/// A building: a square of two tiles.
 Shape building_at(const Point& p) { return Shape::polygon({p, p + Point{2, 0}, p + Point{2, 2}, p + Point{0, 2}}); }
 
 void time_watch(benchmark::State& state, std::size_t count, Where where) {

@@ -1054,7 +1054,7 @@ WW_API ww_status ww_is_saved_world(const void* bytes, size_t size, ww_bool* is_s
 typedef int32_t ww_scene_format;
 enum {
   WW_SCENE_SCRIPT = 0,        /* .wws, a world script: the items that are left after all changes */
-  WW_SCENE_MOVINGAI = 1,      /* .map of Moving AI: blocked cells become polygons */
+  WW_SCENE_MOVINGAI = 1,      /* .map of Moving AI: blocked tiles become polygons */
   WW_SCENE_TRIANGLE_POLY = 2, /* .poly of Triangle: segments, and points that lie on no segment */
   WW_SCENE_TRIANGLE_NODE = 3, /* .node of Triangle: points */
   WW_SCENE_SAVED_WORLD = 4    /* .wwb, a saved world: its domain and its items */
@@ -1073,7 +1073,7 @@ WW_API ww_status ww_scene_format_of(const char* file_name, ww_scene_format* form
    ending of the file name says the format.
    Errors: WW_UNREADABLE, WW_NOT_SUPPORTED, WW_MALFORMED, WW_COORDINATE_RANGE. */
 WW_API ww_status ww_scene_read(const char* file_name, ww_scene* scene);
-/* Sets a scene to a map of Moving AI. Cell (x, y) is the square [x, x + 1] x [y, y + 1], and y points down. */
+/* Sets a scene to a map of Moving AI. Tile (x, y) is the square [x, x + 1] x [y, y + 1], and y points down. */
 WW_API ww_status ww_scene_parse_movingai_map(const char* text, size_t length, const char* name, ww_scene* scene);
 /* Sets a scene to a .poly file of Triangle. `node_text` is null, or the text of the .node file of the same name, for a
    .poly file without vertices. */
@@ -1149,8 +1149,8 @@ WW_API ww_status ww_script_scene(const ww_script* script, ww_scene* scene);
 typedef struct ww_scenario_query {
   uint32_t struct_size;
   uint32_t line;   /* the line in the text, from 1 */
-  uint64_t width;  /* the width of the map in cells */
-  uint64_t height; /* the height of the map in cells */
+  uint64_t width;  /* the width of the map in tiles */
+  uint64_t height; /* the height of the map in tiles */
   ww_point start;
   ww_point goal;
   double length;    /* the length of the path that the author has found; negative if the author found none */

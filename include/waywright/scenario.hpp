@@ -18,8 +18,8 @@ namespace waywright {
 struct ScenarioQuery {
   std::uint32_t line = 0;    ///< the line in the text, from 1
   std::string map;           ///< the file name of the map as the line gives it, often with folders
-  std::uint64_t width = 0;   ///< the width of the map in cells
-  std::uint64_t height = 0;  ///< the height of the map in cells
+  std::uint64_t width = 0;   ///< the width of the map in tiles
+  std::uint64_t height = 0;  ///< the height of the map in tiles
   Point start;
   Point goal;
   double length = 0.0;     ///< the length as the line gives it; negative if the author found no path

@@ -36,7 +36,7 @@ struct Scene {
 /// A file format of scenes.
 enum class SceneFormat : unsigned char {
   script,         ///< `.wws`, the world script: the items that are left after all changes; queries are ignored
-  movingai,       ///< `.map` of Moving AI: blocked cells become polygons
+  movingai,       ///< `.map` of Moving AI: blocked tiles become polygons
   triangle_poly,  ///< `.poly` of Triangle: segments, and points for the vertices that lie on no segment
   triangle_node,  ///< `.node` of Triangle: points
   saved_world,    ///< `.wwb`, a saved world: its domain and its items; see save_world
@@ -59,11 +59,11 @@ enum class SceneFormat : unsigned char {
 /// Cost: O(1).
 [[nodiscard]] WAYWRIGHT_API Result<SceneFormat> scene_format(std::string_view file_name);
 
-/// Reads a map of Moving AI from text. Cell (x, y) is the square [x, x+1] x [y, y+1], and y points down. The cells `.`,
-/// `G` and `S` are free, the cells `@`, `O`, `T` and `W` are blocked. Blocked cells that touch along a line form a
+/// Reads a map of Moving AI from text. Tile (x, y) is the square [x, x+1] x [y, y+1], and y points down. The tiles `.`,
+/// `G` and `S` are free, the tiles `@`, `O`, `T` and `W` are blocked. Blocked tiles that touch along a line form a
 /// group. Each group becomes one polygon with an outer ring and its holes. The rings have points only where they turn.
-/// Each ring is simple, even if cells of one group touch only diagonally; at these points, two rings touch. Ids count
-/// from 1 in the order of the first cell of each group, row by row. The domain is [0, width] x [0, height].
+/// Each ring is simple, even if tiles of one group touch only diagonally; at these points, two rings touch. Ids count
+/// from 1 in the order of the first tile of each group, row by row. The domain is [0, width] x [0, height].
 /// Errors: malformed.
 /// Cost: linear in the length of the text.
 [[nodiscard]] WAYWRIGHT_API Result<Scene> parse_movingai_map(std::string_view text, std::string_view name);

@@ -29,7 +29,7 @@ void append_constraint(const ExactTriangulation& triangulation, mesh::HalfEdge h
 void take_snapshot(const ExactTriangulation& triangulation, CanonicalOrder& order, MeshSnapshot& snapshot) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
-  auto& [vertices, rank, fixed] = order;
+  auto& [vertices, index, fixed] = order;
   vertices.clear();
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
     const mesh::Vertex v{i};
@@ -42,9 +42,9 @@ void take_snapshot(const ExactTriangulation& triangulation, CanonicalOrder& orde
   snapshot.triangles.clear();
   snapshot.constraints.clear();
   snapshot.ids.clear();
-  rank.assign(mesh.vertex_slots(), 0);
+  index.assign(mesh.vertex_slots(), 0);
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-    rank[number(vertices[i])] = i;
+    index[number(vertices[i])] = i;
     snapshot.vertices.push_back(delaunay.geometry().rounded(number(vertices[i])));
   }
 
@@ -55,8 +55,8 @@ void take_snapshot(const ExactTriangulation& triangulation, CanonicalOrder& orde
     mesh::HalfEdge h = mesh::first(f);
     std::array<std::uint32_t, 3> corners{};
     for (std::uint32_t& corner : corners) {
-      corner = rank[number(mesh.origin(h))];
-      const std::uint32_t end = rank[number(mesh.target(h))];
+      corner = index[number(mesh.origin(h))];
+      const std::uint32_t end = index[number(mesh.target(h))];
       const bool is_listed_here = corner < end || delaunay.is_ghost_face(mesh.twin(h));
       if (mesh.is_fixed(h) && is_listed_here) fixed.push_back({std::min(corner, end), std::max(corner, end), h});
       h = mesh::next(h);

@@ -17,7 +17,7 @@ struct CanonicalOrder {
   };
 
   std::vector<mesh::Vertex> vertices;  ///< in (x, y) order
-  std::vector<std::uint32_t> rank;     ///< by vertex slot: its position in `vertices`
+  std::vector<std::uint32_t> index;    ///< by vertex slot: its index in `vertices`
   std::vector<FixedEdge> fixed;
 };
 

@@ -232,7 +232,7 @@ class ConstrainedTriangulation {
   /// from `u` to `w`, and no other edge contains `side`. Cost: O(1) plus the smaller degree of the two.
   [[nodiscard]] mesh::HalfEdge edge_of_side(mesh::Vertex u, mesh::Vertex w, std::uint32_t side) const;
 
-  [[nodiscard]] std::optional<std::string> find_shape_fault() const;
+  [[nodiscard]] std::optional<std::string> find_orientation_fault() const;
   [[nodiscard]] std::optional<std::string> find_delaunay_fault() const;
   [[nodiscard]] std::optional<std::string> find_use_fault() const;
   [[nodiscard]] std::optional<std::string> find_vertex_fault() const;

@@ -17,7 +17,7 @@ inline std::string edge_name(const mesh::TriangleMesh& mesh, mesh::HalfEdge h) {
 template <class Geometry>
 std::optional<std::string> ConstrainedTriangulation<Geometry>::find_fault() const {
   if (auto fault = topology().find_fault()) return fault;
-  if (auto fault = find_shape_fault()) return fault;
+  if (auto fault = find_orientation_fault()) return fault;
   if (auto fault = find_use_fault()) return fault;
   if (auto fault = find_vertex_fault()) return fault;
   return find_delaunay_fault();
@@ -26,7 +26,7 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_fault() cons
 // The triangulation covers the domain exactly once if the mesh is a sphere, all faces in the domain are
 // counter-clockwise, and the border between them and the ghost faces runs exactly once around the domain.
 template <class Geometry>
-std::optional<std::string> ConstrainedTriangulation<Geometry>::find_shape_fault() const {
+std::optional<std::string> ConstrainedTriangulation<Geometry>::find_orientation_fault() const {
   const mesh::TriangleMesh& mesh = topology();
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     const mesh::Face f{i};

@@ -51,10 +51,10 @@ class CavityFiller {
   using Chain = std::vector<ChainEdge>;
 
   /// A vertex of a chain at which no ear has been cut off. An edge runs to it from the vertex before it. This edge is
-  /// the chain edge at `position`, or the half-edge `base` of a new triangle.
+  /// the chain edge `index`, or the half-edge `base` of a new triangle.
   struct ChainCorner {
     mesh::Vertex vertex;
-    std::uint32_t position;
+    std::uint32_t index;
     mesh::HalfEdge base;  ///< kNoHalfEdge if the edge is a chain edge
   };
 
@@ -72,10 +72,10 @@ class CavityFiller {
   mesh::HalfEdge cut_ear(Mesh& mesh, Chain& chain, mesh::Vertex a, const ChainCorner& b, const ChainCorner& r);
   template <class Mesh>
   bool legalise_cavity(const Geometry& geometry, Mesh& mesh);
-  /// Links `inner`, the new half-edge of the chain's edge at `position`, to its twin. If the edge is dangling, waits
+  /// Links `inner`, the new half-edge of the chain edge `index`, to its twin. If the edge is dangling, waits
   /// until both of its half-edges are new.
   template <class Mesh>
-  static void link_chain_edge(Mesh& mesh, Chain& chain, std::uint32_t position, mesh::HalfEdge inner);
+  static void link_chain_edge(Mesh& mesh, Chain& chain, std::uint32_t index, mesh::HalfEdge inner);
 
   // Scratch.
   Chain left_chain_, right_chain_;
@@ -203,7 +203,7 @@ mesh::HalfEdge CavityFiller<Geometry>::cut_ear(Mesh& mesh, Chain& chain, mesh::V
   const mesh::HalfEdge base = mesh::first(f);
   mesh.set_vertices(f, a, r.vertex, b.vertex);
   const auto join = [&](mesh::HalfEdge inner, const ChainCorner& corner) {
-    if (corner.base == mesh::kNoHalfEdge) return link_chain_edge(mesh, chain, corner.position, inner);
+    if (corner.base == mesh::kNoHalfEdge) return link_chain_edge(mesh, chain, corner.index, inner);
     mesh.link(inner, corner.base, 0);
     inner_edges_.push_back(inner);
   };
@@ -230,8 +230,8 @@ bool CavityFiller<Geometry>::legalise_cavity(const Geometry& geometry, Mesh& mes
 
 template <class Geometry>
 template <class Mesh>
-void CavityFiller<Geometry>::link_chain_edge(Mesh& mesh, Chain& chain, std::uint32_t position, mesh::HalfEdge inner) {
-  ChainEdge& edge = chain[position];
+void CavityFiller<Geometry>::link_chain_edge(Mesh& mesh, Chain& chain, std::uint32_t index, mesh::HalfEdge inner) {
+  ChainEdge& edge = chain[index];
   edge.inner = inner;
   edge.is_rebuilt = true;
   if (edge.partner == kNotDangling) {

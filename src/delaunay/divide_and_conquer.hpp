@@ -31,8 +31,8 @@ namespace waywright::delaunay {
 /// Source: Guibas and Stolfi, *Primitives for the manipulation of general subdivisions*, 1985; cuts in both directions:
 /// Dwyer, *A faster divide-and-conquer algorithm for constructing Delaunay triangulations*, 1987; ghost faces that
 /// become the new faces: Shewchuk, *Triangle*, 1996. There are two differences from these papers. The code cuts the
-/// points where the curve divides a cell, so it need not search for medians. And it breaks ties (tie_rule.hpp), so the
-/// result is unique.
+/// points where the curve divides a square, so it need not search for medians. And it breaks ties (tie_rule.hpp), so
+/// the result is unique.
 template <class Geometry>
 class DivideAndConquer {
  public:
@@ -191,8 +191,8 @@ typename DivideAndConquer<Geometry>::Piece DivideAndConquer<Geometry>::merge_tas
   return merge(left, right, 2 * middle - 2, cut);
 }
 
-// The highest bit in which the keys differ divides their cells by a line. If all points lie in one cell, they are in
-// (x, y) order: an almost vertical line can divide them at any index.
+// The highest bit in which the keys differ divides their squares by a line. If all points lie in one square, they are
+// in (x, y) order: an almost vertical line can divide them at any index.
 template <class Geometry>
 typename DivideAndConquer<Geometry>::Split DivideAndConquer<Geometry>::split(std::uint32_t begin,
                                                                              std::uint32_t end) const {

@@ -60,25 +60,25 @@ mesh::HalfEdge Triangulation<Geometry>::remove_vertex(const Star& star) {
   return star.fixed.empty() ? remove_free_vertex(star) : remove_vertex_on_line(star);
 }
 
-//         w2 ---- w1      The faces around v leave a hole, which is star-shaped around v. Its border starts at w0. Its
-//        /  \   /  |      last edge, from w4 to w0, is the base.
+//         w2 ---- w1      The faces around v leave a cavity, which is star-shaped around v. Its border starts
+//        /  \   /  |      at w0. The last edge of the border, from w4 to w0, is the base.
 //      w3 --- v --- w0
 //        \   |    /
 //          ---w4--
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::remove_free_vertex(const Star& star) {
   const mesh::Vertex v = mesh_.origin(star.spokes[0]);
-  collect_hole(star, 0, 0);
-  const mesh::HalfEdge last = hole_edges_.back();
-  hole_edges_.pop_back();
-  const mesh::HalfEdge base = refill_hole();
+  collect_cavity(star, 0, 0);
+  const mesh::HalfEdge last = cavity_edges_.back();
+  cavity_edges_.pop_back();
+  const mesh::HalfEdge base = refill_cavity();
   mesh_.close(base, last);
   free_vertex(v, base);
   return mesh::kNoHalfEdge;
 }
 
 //          a2 --- a1     v lies on the line from p to q. The edge p - q replaces p - v and v - q. On the left and
-//        /   \  /   \    on the right of the line, the faces around v leave a hole with the edge p - q as its base.
+//        /   \  /   \    on the right of the line, the faces around v leave a cavity with the edge p - q as its base.
 //       p --- v --- q
 //        \   / \   /
 //          b1 --- b2
@@ -88,10 +88,10 @@ mesh::HalfEdge Triangulation<Geometry>::remove_vertex_on_line(const Star& star) 
   const std::size_t to_q = star.fixed[1];
   const mesh::Vertex v = mesh_.origin(star.spokes[0]);
   const mesh::Label label = mesh_.label(star.spokes[to_p]);
-  collect_hole(star, to_q, to_p);
-  const mesh::HalfEdge left = refill_hole();
-  collect_hole(star, to_p, to_q);
-  const mesh::HalfEdge right = refill_hole();
+  collect_cavity(star, to_q, to_p);
+  const mesh::HalfEdge left = refill_cavity();
+  collect_cavity(star, to_p, to_q);
+  const mesh::HalfEdge right = refill_cavity();
   mesh_.link(left, right, label);
   free_vertex(v, left);
   return left;
@@ -100,40 +100,40 @@ mesh::HalfEdge Triangulation<Geometry>::remove_vertex_on_line(const Star& star) 
 /// Collects the half-edges opposite to a star's vertex in the faces between two spokes, and the positions of their
 /// ends. The faces are those from the spoke at index `from`, counter-clockwise, to the spoke at index `to`.
 template <class Geometry>
-void Triangulation<Geometry>::collect_hole(const Star& star, std::size_t from, std::size_t to) {
+void Triangulation<Geometry>::collect_cavity(const Star& star, std::size_t from, std::size_t to) {
   const std::size_t degree = star.spokes.size();
   const std::size_t count = from < to ? to - from : to + degree - from;
-  hole_edges_.resize(count);
-  hole_positions_.resize(count + 1);
+  cavity_edges_.resize(count);
+  cavity_positions_.resize(count + 1);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = from + i < degree ? from + i : from + i - degree;
-    hole_edges_[i] = next(star.spokes[at]);
-    hole_positions_[i] = view(mesh_.origin(hole_edges_[i]));
+    cavity_edges_[i] = next(star.spokes[at]);
+    cavity_positions_[i] = view(mesh_.origin(cavity_edges_[i]));
   }
-  hole_positions_[count] = view(mesh_.target(hole_edges_[count - 1]));
+  cavity_positions_[count] = view(mesh_.target(cavity_edges_[count - 1]));
 }
 
-/// Triangulates a hole. Its border consists of the edges in `hole_edges_` and of the base, which runs from the last
-/// vertex to the first. Cost: expected linear. The simple method for small holes takes quadratic time at worst.
+/// Triangulates a cavity. Its border consists of the edges in `cavity_edges_` and of the base, which runs from the last
+/// vertex to the first. Cost: expected linear. The simple method for small cavities takes quadratic time at worst.
 template <class Geometry>
-mesh::HalfEdge Triangulation<Geometry>::refill_hole() {
-  if (hole_edges_.size() > kLargeHole) {
-    large_hole_.triangulate(geometry_, std::span(hole_positions_).first(hole_edges_.size() + 1), triangles_);
-    return mesh_.refill(hole_edges_, triangles_);
+mesh::HalfEdge Triangulation<Geometry>::refill_cavity() {
+  if (cavity_edges_.size() > kLargeCavity) {
+    large_cavity_.triangulate(geometry_, std::span(cavity_positions_).first(cavity_edges_.size() + 1), triangles_);
+    return mesh_.refill(cavity_edges_, triangles_);
   }
   triangles_.clear();
-  triangles_.push_back(triangle_over(0, static_cast<std::uint32_t>(hole_edges_.size())));
+  triangles_.push_back(triangle_over(0, static_cast<std::uint32_t>(cavity_edges_.size())));
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     const auto [from, apex, to] = triangles_[i];
     if (apex - from > 1) triangles_.push_back(triangle_over(from, apex));
     if (to - apex > 1) triangles_.push_back(triangle_over(apex, to));
   }
-  return mesh_.refill(hole_edges_, triangles_);
+  return mesh_.refill(cavity_edges_, triangles_);
 }
 
 //           m          Finds the triangle on a base: its apex is the vertex whose circle through the base's ends
 //        .     .       contains no other vertex. One circle through these ends is known to contain no vertex of the
-//     from ----- to    hole: the circle of the triangle beyond the base or, for the first base, the circle through v
+//     from ----- to    cavity: the circle of the triangle beyond the base or, for the first base, the circle through v
 //        .  n  .       (if v lies on the base, the half-plane beyond the base). Each vertex has its own circle through
 //           .          these ends. The apex is the vertex whose circle reaches least far in front of the base. A vertex
 //                      beyond the base, or on its line, has a circle that reaches less far in front than the empty
@@ -147,18 +147,18 @@ mesh::HalfEdge Triangulation<Geometry>::refill_hole() {
 // except if n is the lowered point. Then n lies in every circle, also in the circle of m. So it is impossible that m
 // lies beyond the base and n in front of it.
 //
-// No edge of the hole hides a vertex that lies in the circle, because v lies in the circle, and no edge of the hole lay
-// between v and a vertex of the hole.
-// Source: Devillers, *Vertex removal in two-dimensional Delaunay triangulation: speed-up by low degrees optimization*,
-// 2011, which uses decision tables. For vertices of usual degrees, this loop needs about as many in-circle tests.
+// No edge of the cavity hides a vertex that lies in the circle, because v lies in the circle, and no edge of the cavity
+// lay between v and a vertex of the cavity. Source: Devillers, *Vertex removal in two-dimensional Delaunay
+// triangulation: speed-up by low degrees optimization*, 2011, which uses decision tables. For vertices of usual
+// degrees, this loop needs about as many in-circle tests.
 template <class Geometry>
 typename Triangulation<Geometry>::Triangle Triangulation<Geometry>::triangle_over(std::uint32_t from,
                                                                                   std::uint32_t to) const {
-  const View& a = hole_positions_[from];
-  const View& b = hole_positions_[to];
+  const View& a = cavity_positions_[from];
+  const View& b = cavity_positions_[to];
   std::uint32_t apex = from + 1;
   for (std::uint32_t i = apex + 1; i < to; ++i) {
-    if (circle_contains(geometry_, a, hole_positions_[apex], b, hole_positions_[i])) apex = i;
+    if (circle_contains(geometry_, a, cavity_positions_[apex], b, cavity_positions_[i])) apex = i;
   }
   return {from, apex, to};
 }

@@ -9,7 +9,7 @@
 
 #include "base/compiler.hpp"
 #include "delaunay/cavity_filler.hpp"
-#include "delaunay/large_hole.hpp"
+#include "delaunay/large_cavity.hpp"
 #include "delaunay/legality.hpp"
 #include "delaunay/local_edges.hpp"
 #include "exact/any_geometry.hpp"
@@ -120,7 +120,7 @@ class Triangulation {
   /// Removes the vertex of a star. The vertex has no fixed edges, or two that lie on one line. Two fixed edges become
   /// one edge with the label of the first. Returns this edge, or kNoHalfEdge if there were no fixed edges. Requires:
   /// the triangulation is Delaunay, the star has not changed, and its vertex is no corner of the domain. Source: Chen
-  /// 2009, section 3.4, algorithm 17; for the hole, Devillers 2011.
+  /// 2009, section 3.4, algorithm 17; for the cavity, Devillers 2011.
   mesh::HalfEdge remove_vertex(const Star& star);
   /// Prefetches the position of `v` and the index of one of its half-edges.
   // Always inlined: GCC otherwise removes the call of a function that only prefetches.
@@ -170,9 +170,9 @@ class Triangulation {
  private:
   using Triangle = mesh::TriangleMesh::Triangle;
 
-  static constexpr std::size_t kLongWalk = 16;    ///< after a walk with more steps, an insertion divides a sector
-  static constexpr std::size_t kLargeHole = 32;   ///< a hole is large if its border has more edges than this
-  static constexpr std::size_t kManySpokes = 16;  ///< after this number of spokes, star() looks for a crossing
+  static constexpr std::size_t kLongWalk = 16;     ///< after a walk with more steps, an insertion divides a sector
+  static constexpr std::size_t kLargeCavity = 32;  ///< a cavity is large if its border has more edges than this
+  static constexpr std::size_t kManySpokes = 16;   ///< after this number of spokes, star() looks for a crossing
 
   void set_positions(std::vector<Point>&& points);
   mesh::Vertex add_vertex(const Point& point);
@@ -194,8 +194,8 @@ class Triangulation {
   [[nodiscard]] bool has_crossing(const std::vector<mesh::HalfEdge>& spokes) const;
   mesh::HalfEdge remove_free_vertex(const Star& star);
   mesh::HalfEdge remove_vertex_on_line(const Star& star);
-  void collect_hole(const Star& star, std::size_t from, std::size_t to);
-  mesh::HalfEdge refill_hole();
+  void collect_cavity(const Star& star, std::size_t from, std::size_t to);
+  mesh::HalfEdge refill_cavity();
   [[nodiscard]] Triangle triangle_over(std::uint32_t from, std::uint32_t to) const;
   void free_vertex(mesh::Vertex v, mesh::HalfEdge near);
 
@@ -212,10 +212,10 @@ class Triangulation {
   std::vector<mesh::HalfEdge> freed_;
   Star star_;
   std::vector<mesh::HalfEdge> clockwise_;
-  std::vector<mesh::HalfEdge> hole_edges_;
-  std::vector<View> hole_positions_;
+  std::vector<mesh::HalfEdge> cavity_edges_;
+  std::vector<View> cavity_positions_;
   std::vector<Triangle> triangles_;
-  LargeHole<Geometry> large_hole_;
+  LargeCavity<Geometry> large_cavity_;
   CavityFiller<Geometry> cavity_filler_;
 };
 

@@ -73,9 +73,9 @@ void Triangulation<Geometry>::count_memory(MemoryUse& use) const {
   mesh_.count_memory(use);
   if constexpr (requires { geometry_.count_memory(use); }) geometry_.count_memory(use);
   sectors_.count_memory(use);
-  memory::count_spare(use, in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_edges_, hole_positions_,
+  memory::count_spare(use, in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, cavity_edges_, cavity_positions_,
                       triangles_);
-  large_hole_.count_memory(use);
+  large_cavity_.count_memory(use);
   cavity_filler_.count_memory(use);
 }
 
@@ -84,8 +84,9 @@ void Triangulation<Geometry>::shrink_to_fit() {
   mesh_.shrink_to_fit();
   if constexpr (requires { geometry_.shrink_to_fit(); }) geometry_.shrink_to_fit();
   sectors_.shrink_to_fit();
-  memory::release(in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, hole_edges_, hole_positions_, triangles_);
-  large_hole_.release();
+  memory::release(in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, cavity_edges_, cavity_positions_,
+                  triangles_);
+  large_cavity_.release();
   cavity_filler_.release();
 }
 
@@ -114,8 +115,8 @@ locate::Located Triangulation<Geometry>::locate(const Point& point, mesh::HalfEd
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::hint(const Point& point) const {
   const auto squared_distance = [&](mesh::Vertex from) {
-    const Point& location = geometry_.rounded(number(from));
-    return (location.x - point.x) * (location.x - point.x) + (location.y - point.y) * (location.y - point.y);
+    const Point& position = geometry_.rounded(number(from));
+    return (position.x - point.x) * (position.x - point.x) + (position.y - point.y) * (position.y - point.y);
   };
   mesh::Vertex nearest = mesh_.origin(recent_);
   double least = squared_distance(nearest);

@@ -55,7 +55,7 @@ template <class Coordinate>
 }
 
 /// Consider the line through `w` and the centre of the circle through `w`, `x` and `y`, in the direction from `w` to
-/// the centre. Returns on which side of this line `z` lies: positive if it lies left of it, negative if it lies right
+/// the centre. Returns where `z` lies relative to this line: positive if it lies left of it, negative if it lies right
 /// of it, zero if it lies on it. Requires: `w`, `x` and `y` are counter-clockwise. Computes with integers of any size
 /// only.
 [[nodiscard]] Sign side_of_diameter(const Point& w, const ExactPoint& x, const ExactPoint& y, const ExactPoint& z);

@@ -19,15 +19,15 @@ namespace {
 
 // The centre is p(t) = from + t d with d = to - from, and t runs from 0 to 1. Let the disc touch nothing at t = 0.
 //
-// The wall's two ends are a and b; ab = b - a, M = |ab|^2. Exchange the ends so that s = ab x (from - a) >= 0.
+// The side's two ends are a and b; ab = b - a, M = |ab|^2. Exchange the ends so that s = ab x (from - a) >= 0.
 //
-// Line. If s > r sqrt(M), the centre lies outside the strip of the positions nearer to the wall's line than r. It
+// Line. If s > r sqrt(M), the centre lies outside the strip of the positions nearer to the side's line than r. It
 // enters the strip at t = (s - r sqrt(M)) / c with c = d x ab, if c > 0. If the centre then lies between the
-// perpendiculars at the two ends, the disc touches the wall there, strictly between its ends. The perpendicular at
+// perpendiculars at the two ends, the disc touches the side there, strictly between its ends. The perpendicular at
 // a does not separate the centre from b if
 //   ab . (p(t) - a) > 0. With f = from - a, this is (ab . f) c + (ab . d) (s - r sqrt(M)) > 0. Because of
 //   (ab . f) (d x ab) + (ab . d) (ab x f) = M (d x f), it is sqrt(M) (d x f) - r (ab . d) > 0.
-// If the perpendicular at a separates the centre from b at this t, the centre can enter the capsule around the wall
+// If the perpendicular at a separates the centre from b at this t, the centre can enter the capsule around the side
 // only through the circle around a: every other point of the capsule lies within the strip, not separated from b by the
 // perpendicular at a, and the diameter of the circle blocks the strip there. The same is true at b. If the centre
 // starts in the strip, it does not lie between the two perpendiculars, and again it can enter the capsule only through
@@ -233,9 +233,9 @@ TouchAnswer touch_vertex(const Numbers& numbers, const Sweep& sweep, const Point
   return passes ? kMissed : kUnsure;
 }
 
-/// Requires: at t = 0, the disc does not touch the wall, and the centre does not lie right of the line from a to b.
+/// Requires: at t = 0, the disc does not touch the side, and the centre does not lie right of the line from a to b.
 template <class Numbers>
-TouchAnswer touch_wall(const Numbers& numbers, const Sweep& sweep, const Point& a, const Point& b) {
+TouchAnswer touch_side(const Numbers& numbers, const Sweep& sweep, const Point& a, const Point& b) {
   const auto d = numbers.difference(sweep.to, sweep.from);
   const auto ab = numbers.difference(b, a);
   const auto from_a = numbers.difference(sweep.from, a);
@@ -265,13 +265,13 @@ TouchAnswer touch_wall(const Numbers& numbers, const Sweep& sweep, const Point& 
   return {true, Touch{Touch::Kind::line, a, b}};
 }
 
-/// Requires: at t = 0, the disc does not touch the wall.
+/// Requires: at t = 0, the disc does not touch the side.
 template <class Numbers>
-TouchAnswer touch_wall_ahead(const Numbers& numbers, const Sweep& sweep, const Point& a, const Point& b) {
+TouchAnswer touch_side_ahead(const Numbers& numbers, const Sweep& sweep, const Point& a, const Point& b) {
   const std::optional<Sign> orientation =
       sign_if_sure(cross(numbers.difference(b, a), numbers.difference(sweep.from, a)));
   if (!orientation) return kUnsure;
-  return *orientation == Sign::negative ? touch_wall(numbers, sweep, b, a) : touch_wall(numbers, sweep, a, b);
+  return *orientation == Sign::negative ? touch_side(numbers, sweep, b, a) : touch_side(numbers, sweep, a, b);
 }
 
 /// Compares two touches. Requires: neither of them is at the start.
@@ -343,18 +343,18 @@ double to_double(Scaled number) {
 
 TouchAnswer stages::first_touch_in_doubles(const Sweep& sweep, const Point& a, const Point& b) {
   if (is_touched_at_start(sweep, a, b)) return {true, Touch{Touch::Kind::start, a, b}};
-  return touch_wall_ahead(InDoubles(bounded(sweep)), sweep, a, b);
+  return touch_side_ahead(InDoubles(bounded(sweep)), sweep, a, b);
 }
 
 std::optional<Touch> stages::first_touch_in_integers(const Sweep& sweep, const Point& a, const Point& b) {
   if (is_touched_at_start(sweep, a, b)) return Touch{Touch::Kind::start, a, b};
-  return in_integers(sweep, {a, b}, [&](const auto& numbers) { return touch_wall_ahead(numbers, sweep, a, b).touch; });
+  return in_integers(sweep, {a, b}, [&](const auto& numbers) { return touch_side_ahead(numbers, sweep, a, b).touch; });
 }
 
 std::optional<Touch> first_touch(const Sweep& sweep, const Point& a, const Point& b) {
   const TouchAnswer answer = stages::first_touch_in_doubles(sweep, a, b);
   if (answer.is_sure) return answer.touch;
-  return in_integers(sweep, {a, b}, [&](const auto& numbers) { return touch_wall_ahead(numbers, sweep, a, b).touch; });
+  return in_integers(sweep, {a, b}, [&](const auto& numbers) { return touch_side_ahead(numbers, sweep, a, b).touch; });
 }
 
 std::optional<Sign> stages::compare_touches_in_doubles(const Sweep& sweep, const Touch& p, const Touch& q) {

@@ -21,12 +21,12 @@ struct Sweep {
   double radius = 0.0;  ///< finite and positive
 };
 
-/// How a moving disc first touches a wall.
+/// How a moving disc first touches a side.
 struct Touch {
   enum class Kind : std::uint8_t {
-    start,   ///< it touches the wall, or lies on it, at the start of its motion
-    vertex,  ///< later, at the wall's end `a`; then `b` equals `a`
-    line,    ///< later, strictly inside the wall; the centre comes from the left of the line from `a` to `b`
+    start,   ///< it touches the side, or lies on it, at the start of its motion
+    vertex,  ///< later, at the side's end `a`; then `b` equals `a`
+    line,    ///< later, strictly inside the side; the centre comes from the left of the line from `a` to `b`
   };
 
   Kind kind = Kind::start;
@@ -36,8 +36,8 @@ struct Touch {
   friend bool operator==(const Touch&, const Touch&) = default;
 };
 
-/// Returns how the disc first touches the wall from `a` to `b`, or nothing if it does not touch it. A disc touches a
-/// wall if the distance of its centre from the wall is at most the radius. Requires: `a` and `b` differ.
+/// Returns how the disc first touches the side from `a` to `b`, or nothing if it does not touch it. A disc touches a
+/// side if the distance of its centre from the side is at most the radius. Requires: `a` and `b` differ.
 [[nodiscard]] std::optional<Touch> first_touch(const Sweep& sweep, const Point& a, const Point& b);
 
 /// Compares the positions of the centre at two touches, in the order from `from` to `to`. Requires: first_touch() has

@@ -87,10 +87,10 @@ bool MapReader::read_row(std::string_view row) {
   constexpr std::string_view kAlphabet = ".GS@OTW";
   const std::size_t unknown = row.find_first_not_of(kAlphabet);
   if (unknown != std::string_view::npos) {
-    return fail("cells out of '.GS@OTW'", text::in_quotes(row.substr(unknown, 1)));
+    return fail("tiles out of '.GS@OTW'", text::in_quotes(row.substr(unknown, 1)));
   }
   if (row.size() == width_) return true;
-  return fail(text::with_number("a row of ", width_, " cells"), text::with_number("", row.size(), ""));
+  return fail(text::with_number("a row of ", width_, " tiles"), text::with_number("", row.size(), ""));
 }
 
 bool MapReader::read_rows() {
@@ -111,87 +111,88 @@ bool MapReader::read_rows() {
   return true;
 }
 
-/// The sides of a cell, in the order in which a ring follows them. If y points up, the cell is then to the left.
-/// Direction (s + 3) mod 4 leads out of the cell across side s.
+/// The sides of a tile, in the order in which a ring follows them. If y points up, the tile is then to the left.
+/// Direction (s + 3) mod 4 leads out of the tile across side s.
 enum Side : std::uint8_t { top, right, bottom, left };
 
-/// The blocked cells of a map, and the rings around their groups. A group is a set of blocked cells that are connected
+/// The blocked tiles of a map, and the rings around their groups. A group is a set of blocked tiles that are connected
 /// through their sides.
 ///
-/// At a lattice point where two blocked cells touch diagonally and the other two cells are free, a ring can turn in two
-/// directions. If the blocked cells are in different groups, each ring turns around its own cell: the rings stay
+/// At a lattice point where two blocked tiles touch diagonally and the other two tiles are free, a ring can turn in two
+/// directions. If the blocked tiles are in different groups, each ring turns around its own tile: the rings stay
 /// separate. If they are in one group, they are also connected elsewhere. The group then encloses one of the two free
-/// cells and separates it from the other. At such a point the ring passes from one blocked cell to the other, and so
-/// stays at the same free cell. Thus every ring bounds one region of the area that the group leaves free, and passes no
+/// tiles and separates it from the other. At such a point the ring passes from one blocked tile to the other, and so
+/// stays at the same free tile. Thus every ring bounds one region of the area that the group leaves free, and passes no
 /// point twice: every ring is simple, and two rings of a group meet only in points.
 class Tracer {
  public:
   explicit Tracer(const std::vector<std::string_view>& rows);
 
-  /// Returns the groups as polygons, in the order of their first cells, row by row. Each has its outer ring first, then
+  /// Returns the groups as polygons, in the order of their first tiles, row by row. Each has its outer ring first, then
   /// the holes.
   std::vector<Item> run();
 
  private:
-  struct Position {
-    std::size_t cell = 0;
+  /// A step along a ring: a side of a tile.
+  struct Step {
+    std::size_t tile = 0;
     Side side = top;
 
-    friend bool operator==(const Position&, const Position&) = default;
+    friend bool operator==(const Step&, const Step&) = default;
   };
 
-  /// Writes `group` into all cells of the group that contains `first`.
+  /// Writes `group` into all tiles of the group that contains `first`.
   void fill(std::size_t first, std::size_t group);
   std::vector<Point> trace(std::size_t first);
-  [[nodiscard]] Position next(Position at) const;
-  [[nodiscard]] std::size_t neighbour(std::size_t cell, unsigned direction) const;
+  [[nodiscard]] Step next(Step at) const;
+  [[nodiscard]] std::size_t neighbour(std::size_t tile, unsigned direction) const;
   /// The lattice point at which the ring starts to follow a side.
-  [[nodiscard]] Point start_of(Position at) const;
+  [[nodiscard]] Point start_of(Step at) const;
 
-  /// The number of a cell's group. Groups count from kFirstGroup; smaller numbers mean that the cell is in no group.
+  /// The number of a tile's group. Groups count from kFirstGroup; smaller numbers mean that the tile is in no group.
   static constexpr std::size_t kFree = 0;
   static constexpr std::size_t kUnmarked = 1;
   static constexpr std::size_t kFirstGroup = 2;
 
-  std::size_t stride_;              ///< cells per row, including a free cell at each end
-  std::vector<std::size_t> group_;  ///< by cell, including a free row above and one below
-  std::vector<bool> top_traced_;    ///< by cell: whether a ring has passed its top side
+  std::size_t stride_;              ///< tiles per row, including a free tile at each end
+  std::vector<std::size_t> group_;  ///< by tile, including a free row above and one below
+  std::vector<bool> top_traced_;    ///< by tile: whether a ring has passed its top side
   std::vector<std::size_t> stack_;  ///< scratch of fill()
 };
 
 Tracer::Tracer(const std::vector<std::string_view>& rows)
     : stride_(rows.front().size() + 2), group_(stride_ * (rows.size() + 2), kFree), top_traced_(group_.size()) {
-  std::size_t cell = stride_ + 1;
+  std::size_t tile = stride_ + 1;
   for (const std::string_view row : rows) {
-    for (const char c : row) group_[cell++] = c == '.' || c == 'G' || c == 'S' ? kFree : kUnmarked;
-    cell += 2;
+    for (const char c : row) group_[tile++] = c == '.' || c == 'G' || c == 'S' ? kFree : kUnmarked;
+    tile += 2;
   }
 }
 
-std::size_t Tracer::neighbour(std::size_t cell, unsigned direction) const {
+std::size_t Tracer::neighbour(std::size_t tile, unsigned direction) const {
   switch (direction % 4) {
     case 0:
-      return cell + 1;
+      return tile + 1;
     case 1:
-      return cell + stride_;
+      return tile + stride_;
     case 2:
-      return cell - 1;
+      return tile - 1;
     default:
-      return cell - stride_;
+      return tile - stride_;
   }
 }
 
 std::vector<Item> Tracer::run() {
   std::vector<Item> items;
-  for (std::size_t cell = stride_; cell < group_.size() - stride_; ++cell) {
-    if (group_[cell] == kFree) continue;
-    if (group_[cell] == kUnmarked) {
-      fill(cell, kFirstGroup + items.size());
+  for (std::size_t tile = stride_; tile < group_.size() - stride_; ++tile) {
+    if (group_[tile] == kFree) continue;
+    if (group_[tile] == kUnmarked) {
+      fill(tile, kFirstGroup + items.size());
       items.push_back({ItemId{items.size() + 1}, Shape{ItemKind::polygon, {}}});
     }
-    // Every ring has a top side. The first top side in a group's first cell belongs to the outer ring.
-    if (group_[cell - stride_] == kFree && !top_traced_[cell]) {
-      items[group_[cell] - kFirstGroup].shape.rings.push_back(trace(cell));
+    // Every ring has a top side. The first top side in a group's first tile belongs to the outer ring.
+    if (group_[tile - stride_] == kFree && !top_traced_[tile]) {
+      items[group_[tile] - kFirstGroup].shape.rings.push_back(trace(tile));
     }
   }
   return items;
@@ -201,10 +202,10 @@ void Tracer::fill(std::size_t first, std::size_t group) {
   group_[first] = group;
   stack_.push_back(first);
   while (!stack_.empty()) {
-    const std::size_t cell = stack_.back();
+    const std::size_t tile = stack_.back();
     stack_.pop_back();
     for (const unsigned direction : {0U, 1U, 2U, 3U}) {
-      const std::size_t other = neighbour(cell, direction);
+      const std::size_t other = neighbour(tile, direction);
       if (group_[other] != kUnmarked) continue;
       group_[other] = group;
       stack_.push_back(other);
@@ -212,31 +213,30 @@ void Tracer::fill(std::size_t first, std::size_t group) {
   }
 }
 
-Tracer::Position Tracer::next(Position at) const {
+Tracer::Step Tracer::next(Step at) const {
   const auto outwards = static_cast<Side>((at.side + 3) % 4);
-  const std::size_t ahead = neighbour(at.cell, at.side);
+  const std::size_t ahead = neighbour(at.tile, at.side);
   const std::size_t diagonal = neighbour(ahead, outwards);
-  if (group_[ahead] != kFree)
-    return group_[diagonal] != kFree ? Position{diagonal, outwards} : Position{ahead, at.side};
-  if (group_[diagonal] == group_[at.cell]) return {diagonal, outwards};
-  return {at.cell, static_cast<Side>((at.side + 1) % 4)};
+  if (group_[ahead] != kFree) return group_[diagonal] != kFree ? Step{diagonal, outwards} : Step{ahead, at.side};
+  if (group_[diagonal] == group_[at.tile]) return {diagonal, outwards};
+  return {at.tile, static_cast<Side>((at.side + 1) % 4)};
 }
 
-Point Tracer::start_of(Position at) const {
-  const std::size_t x = at.cell % stride_ - 1 + (at.side == right || at.side == bottom ? 1 : 0);
-  const std::size_t y = at.cell / stride_ - 1 + (at.side == bottom || at.side == left ? 1 : 0);
+Point Tracer::start_of(Step at) const {
+  const std::size_t x = at.tile % stride_ - 1 + (at.side == right || at.side == bottom ? 1 : 0);
+  const std::size_t y = at.tile / stride_ - 1 + (at.side == bottom || at.side == left ? 1 : 0);
   return {static_cast<double>(x), static_cast<double>(y)};
 }
 
 std::vector<Point> Tracer::trace(std::size_t first) {
   // The first top side in scan order starts at a corner: the scan would have met a side before it on the same line
   // earlier.
-  const Position start{first, top};
+  const Step start{first, top};
   std::vector<Point> ring{start_of(start)};
   top_traced_[first] = true;
-  for (Position at = next(start), before = start; at != start; before = at, at = next(at)) {
+  for (Step at = next(start), before = start; at != start; before = at, at = next(at)) {
     if (at.side != before.side) ring.push_back(start_of(at));
-    if (at.side == top) top_traced_[at.cell] = true;
+    if (at.side == top) top_traced_[at.tile] = true;
   }
   return ring;
 }

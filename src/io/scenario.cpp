@@ -38,7 +38,7 @@ class ScenarioParser {
  private:
   bool read_header();
   bool read_query(const std::vector<std::string_view>& fields);
-  bool cells(std::string_view field, std::string_view word, std::uint64_t& value);
+  bool tiles(std::string_view field, std::string_view word, std::uint64_t& value);
   bool number(std::string_view field, std::string_view word, double& value);
   bool fail(std::string_view what);
 
@@ -66,10 +66,10 @@ bool ScenarioParser::read_header() {
   return matches || fail("expected 'version 1', as scenarios of Moving AI begin, found " + text::in_quotes(line));
 }
 
-bool ScenarioParser::cells(std::string_view field, std::string_view word, std::uint64_t& value) {
+bool ScenarioParser::tiles(std::string_view field, std::string_view word, std::uint64_t& value) {
   const std::optional<std::uint64_t> read = text::read_unsigned(word);
   value = read.value_or(0);
-  std::string what = "expected a whole number of cells as the ";
+  std::string what = "expected a whole number of tiles as the ";
   what += field;
   what += ", found ";
   return read || fail(what + text::in_quotes(word));
@@ -93,7 +93,7 @@ bool ScenarioParser::read_query(const std::vector<std::string_view>& fields) {
   ScenarioQuery query;
   query.line = static_cast<std::uint32_t>(lines_.number());
   query.map = fields[1];
-  const bool ok = cells("width", fields[2], query.width) && cells("height", fields[3], query.height) &&
+  const bool ok = tiles("width", fields[2], query.width) && tiles("height", fields[3], query.height) &&
                   number("start's x", fields[4], query.start.x) && number("start's y", fields[5], query.start.y) &&
                   number("goal's x", fields[6], query.goal.x) && number("goal's y", fields[7], query.goal.y) &&
                   number("length", fields[8], query.length);

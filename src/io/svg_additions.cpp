@@ -11,9 +11,9 @@ namespace waywright::io {
 
 namespace {
 
-constexpr double kLeastRadius = 3.0;  // of a disc, in pixels
-constexpr double kCharacter = 0.58;   // width of a letter, as a fraction of the font size
-constexpr double kLabelGap = 8.0;     // pixels between a disc and its label
+constexpr double kLeastRadius = 3.0;    // of a disc, in pixels
+constexpr double kCharacter = 0.58;     // width of a letter, as a fraction of the font size
+constexpr double kLabelDistance = 8.0;  // pixels between a disc and its label
 
 Paint paint_of(const std::string& colour, Ink otherwise) { return {otherwise, colour}; }
 
@@ -50,12 +50,12 @@ std::string draw_label(const SvgLabel& label, const SvgFrame& frame, const Palet
   if (!contains(frame.shown(), label.at) || label.text.empty()) return {};
   const double size = within(label.size, 4.0, 200.0);
   TextMark text{frame.to_picture(label.at), "start", size, paint_of(label.colour, Ink::text)};
-  const double gap = kLabelGap + within(label.radius * frame.scale(), 0.0, 1e7);
-  const double room = gap + kCharacter * size * static_cast<double>(character_count(label.text));
+  const double distance = kLabelDistance + within(label.radius * frame.scale(), 0.0, 1e7);
+  const double room = distance + kCharacter * size * static_cast<double>(character_count(label.text));
   const Box& map = frame.map();
   const bool is_left = text.at.x + room > map.max.x && text.at.x - room >= map.min.x;
   if (is_left) text.anchor = "end";
-  text.at.x += is_left ? -gap : gap;
+  text.at.x += is_left ? -distance : distance;
   text.at.y += 0.35 * size;
   return text_mark(palette, text, label.text) + "\n";
 }

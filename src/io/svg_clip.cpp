@@ -21,31 +21,34 @@ bool narrow(double start, double step, double low, double high, double& from, do
   return from <= to;
 }
 
-/// A side of the box: the half-plane where sign * (x or y) <= limit.
-struct Side {
+/// The half-plane inside a side of the box: where sign * (x or y) <= limit.
+struct HalfPlane {
   double Point::*axis;
   double sign;
   double limit;
 };
 
-double beyond(const Side& side, const Point& point) { return side.sign * point.*side.axis - side.limit; }
+double beyond(const HalfPlane& half_plane, const Point& point) {
+  return half_plane.sign * point.*half_plane.axis - half_plane.limit;
+}
 
-/// Returns the point where the segment meets the side. Requires: one of `a` and `b` lies inside, the other outside.
-Point crossing(const Side& side, const Point& a, const Point& b) {
-  const double at_a = beyond(side, a);
-  const double part = at_a / (at_a - beyond(side, b));
+/// Returns the point where the segment meets the border of the half-plane. Requires: one of `a` and `b` lies inside,
+/// the other outside.
+Point intersection(const HalfPlane& half_plane, const Point& a, const Point& b) {
+  const double at_a = beyond(half_plane, a);
+  const double part = at_a / (at_a - beyond(half_plane, b));
   Point position{a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
-  position.*side.axis = side.sign * side.limit;
+  position.*half_plane.axis = half_plane.sign * half_plane.limit;
   return position;
 }
 
-void clip_to_side(const Side& side, const std::vector<Point>& ring, std::vector<Point>& clipped) {
+void clip_to(const HalfPlane& half_plane, const std::vector<Point>& ring, std::vector<Point>& clipped) {
   clipped.clear();
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point& from = ring[i == 0 ? ring.size() - 1 : i - 1];
     const Point& to = ring[i];
-    const bool is_inside = beyond(side, to) <= 0.0;
-    if (is_inside != (beyond(side, from) <= 0.0)) clipped.push_back(crossing(side, from, to));
+    const bool is_inside = beyond(half_plane, to) <= 0.0;
+    if (is_inside != (beyond(half_plane, from) <= 0.0)) clipped.push_back(intersection(half_plane, from, to));
     if (is_inside) clipped.push_back(to);
   }
 }
@@ -67,10 +70,11 @@ bool clip_segment(const Box& box, Point& a, Point& b) {
 
 void clip_ring(const Box& box, std::vector<Point>& ring, std::vector<Point>& scratch) {
   std::erase_if(ring, [](const Point& point) { return !is_finite(point); });
-  for (const Side& side : {Side{&Point::x, -1.0, -box.min.x}, Side{&Point::x, 1.0, box.max.x},
-                           Side{&Point::y, -1.0, -box.min.y}, Side{&Point::y, 1.0, box.max.y}}) {
-    if (std::all_of(ring.begin(), ring.end(), [&](const Point& point) { return beyond(side, point) <= 0.0; })) continue;
-    clip_to_side(side, ring, scratch);
+  for (const HalfPlane& half_plane : {HalfPlane{&Point::x, -1.0, -box.min.x}, HalfPlane{&Point::x, 1.0, box.max.x},
+                                      HalfPlane{&Point::y, -1.0, -box.min.y}, HalfPlane{&Point::y, 1.0, box.max.y}}) {
+    if (std::all_of(ring.begin(), ring.end(), [&](const Point& point) { return beyond(half_plane, point) <= 0.0; }))
+      continue;
+    clip_to(half_plane, ring, scratch);
     ring.swap(scratch);
   }
 }

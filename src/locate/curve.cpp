@@ -46,8 +46,8 @@ std::size_t start_of_run(const std::vector<Entry>& entries, std::size_t at, std:
   return at;
 }
 
-/// Sorts by the upper bits of the keys, which distinguish more cells than there can be points, and then sorts each run
-/// of entries with equal upper bits by the whole key and by (x, y).
+/// Sorts by the upper bits of the keys, which distinguish more squares than there can be points, and then sorts each
+/// run of entries with equal upper bits by the whole key and by (x, y).
 void sort_entries(std::vector<Entry>& entries, std::span<const Point> points, const threads::ThreadTeam& team) {
   const auto before = [&](const Entry& a, const Entry& b) {
     if (a.key != b.key) return a.key < b.key;

@@ -60,7 +60,7 @@ void Sectors::add_zoom(const Point& point, const Sector& sector) {
   const std::uint32_t depth = sector.zoom == kNoZoom ? 0 : zooms_[sector.zoom].depth + 1;
   if (depth > kMaxDepth) return;
   const Curve& curve = sector.zoom == kNoZoom ? curve_ : zooms_[sector.zoom].curve;
-  const Box box = curve.cell_box(curve.nearest_key(point));
+  const Box box = curve.box_of(curve.nearest_key(point));
   if (!(box.min.x < box.max.x && box.min.y < box.max.y)) return;
   const auto index = static_cast<Content>(zooms_.size());
   zooms_.push_back({Curve(box), static_cast<std::uint32_t>(sectors_.size()), depth});
@@ -145,13 +145,13 @@ void Sectors::fill_sector(std::size_t index, int shift, std::span<const Point> p
   }
 }
 
-/// Gives a crowded cell of a curve a zoom, and divides the sectors of the zoom. `points` are the positions of the
-/// vertices from `first`; `entries` are the vertices in the cell, without keys.
+/// Gives a crowded square of a curve a zoom, and divides the sectors of the zoom. `points` are the positions of the
+/// vertices from `first`; `entries` are the vertices in the square, without keys.
 void Sectors::fill_zoom(const Sector& sector, std::span<const Point> points, std::uint32_t first,
                         std::span<Entry> entries) {
   const std::size_t zooms = zooms_.size();
   add_zoom(points[entries.front().vertex - first], sector);
-  if (zooms_.size() == zooms) return;  // the cell is as small as doubles allow
+  if (zooms_.size() == zooms) return;  // the square is as small as doubles allow
   const std::size_t quarters = zooms_.back().first;
   const Curve curve = zooms_.back().curve;
   for (Entry& entry : entries) entry.key = curve.nearest_key(points[entry.vertex - first]);

@@ -25,8 +25,8 @@ namespace waywright::locate {
 /// The number of sectors grows with the number of vertices, so on evenly distributed vertices a walk is short in a
 /// world of any size. These sectors are the *whole sectors*: equal squares, divided or not. If a sector contains many
 /// vertices, an operation divides it into four quarters, and may later divide these again. So walks are short on
-/// unevenly distributed vertices, too. If a sector is as small as a cell of the curve, it gets a finer curve of its own
-/// (a *zoom*). The division depends on the history of the world, but the result of a search does not.
+/// unevenly distributed vertices, too. If a sector is as small as a square of the curve, it gets a finer curve of its
+/// own (a *zoom*). The division depends on the history of the world, but the result of a search does not.
 ///
 /// Source: Chen 2009, section 3.2.1 (sector-based location). Differences: only operations write to the sectors, queries
 /// do not; and the number of sectors is not constant.
@@ -50,7 +50,7 @@ class Sectors {
   /// If it is, a sector near the point's sector may remember a nearer vertex.
   [[nodiscard]] bool is_far(const Sector& sector, double squared_distance) const {
     const Curve& curve = sector.zoom == kNoZoom ? curve_ : zooms_[sector.zoom].curve;
-    return curve.squared_cells(squared_distance) > kFar * static_cast<double>(Curve::Key{1} << sector.shift);
+    return curve.in_squared_widths(squared_distance) > kFar * static_cast<double>(Curve::Key{1} << sector.shift);
   }
   /// For each sector in the block of this sector, calls visit(vertex) for at most one vertex that the sector, or a part
   /// of it, remembers. The block of a whole sector is a square of 4 x 4 whole sectors, and the block of a quarter is
@@ -69,7 +69,7 @@ class Sectors {
 
   /// Makes all sectors anew, for vertices that are sorted along the curve: `points` and `keys` are the positions and
   /// the keys of the vertices `first`, `first` + 1, and so on. Cost: linear, plus n log n for n vertices in crowded
-  /// cells of the curve.
+  /// squares of the curve.
   void fill(std::span<const Point> points, std::span<const Curve::Key> keys, std::uint32_t first);
   /// The sector of `point` then remembers `v`, which lies at that point. `vertex_count` is the number of vertices in
   /// the world. Cost: O(1), amortised.
@@ -109,8 +109,8 @@ class Sectors {
   static constexpr std::uint32_t kNoZoom = 0xffffffff;
   static constexpr std::uint32_t kMaxDepth = 12;  ///< of a zoom: see Zoom::depth
 
-  /// The curve of a sector that is as small as a cell, and the index of the first of the sector's four quarters. The
-  /// width of its cells is 2^-32 of the width of the sector.
+  /// The curve of a sector that is as small as a square of the curve, and the index of the first of the sector's four
+  /// quarters. The width of its squares is 2^-32 of the width of the sector.
   struct Zoom {
     Curve curve;
     std::uint32_t first;
@@ -141,7 +141,7 @@ class Sectors {
   }
   [[nodiscard]] Content any_vertex(Content content) const;
   void grow();
-  /// A point of a crowded cell: its vertex, and its key on the curve of a zoom.
+  /// A point of a crowded square: its vertex, and its key on the curve of a zoom.
   struct Entry {
     Curve::Key key;
     std::uint32_t vertex;

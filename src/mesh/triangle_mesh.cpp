@@ -78,14 +78,14 @@ bool TriangleMesh::has_many_and_more_edges(Vertex u, Vertex v) const {
 Vertex TriangleMesh::add_vertex() {
   const bool is_new = free_vertices_.is_empty();
   if (is_new) outgoing_.reserve(grown_capacity(outgoing_.capacity(), outgoing_.size() + 1));
-  log(ChangeKind::add_vertex, is_new ? vertex_slots() : free_vertices_.first());
+  log(EditKind::add_vertex, is_new ? vertex_slots() : free_vertices_.first());
   if (!is_new) return pop_free_vertex();
   outgoing_.push_back(number(kNoHalfEdge));
   return Vertex{vertex_slots() - 1};
 }
 
 void TriangleMesh::free_vertex(Vertex v) {
-  log(ChangeKind::free_vertex, number(v));
+  log(EditKind::free_vertex, number(v));
   push_free_vertex(v);
 }
 
@@ -96,7 +96,7 @@ Face TriangleMesh::add_face() {
     half_edges_.reserve(grown_capacity(half_edges_.capacity(), half_edges_.size() + 3));
     labels_.grow_to(half_edges_.size() + 3);
   }
-  log(ChangeKind::add_face, number(f));
+  log(EditKind::add_face, number(f));
   if (!is_new) return pop_free_face();
   half_edges_.resize(half_edges_.size() + 3, HalfEdgeRecord{number(kNoHalfEdge), kNoVertex});
   return f;
@@ -113,16 +113,16 @@ void TriangleMesh::save(Face f) {
   const auto half_edges = half_edges_.begin() + static_cast<std::ptrdiff_t>(number(a));
   if (((half_edges[0].twin | half_edges[1].twin | half_edges[2].twin) & kFixed) != 0) [[unlikely]] {
     for (const HalfEdge h : {a, next(a), previous(a)}) {
-      if (is_fixed(h)) log(ChangeKind::rebuild_label, number(h), labels_[number(h)]);
+      if (is_fixed(h)) log(EditKind::rebuild_label, number(h), labels_[number(h)]);
     }
   }
   saved_faces_.push_back({half_edges[0], half_edges[1], half_edges[2]});
-  log(ChangeKind::rebuild_face, number(f), static_cast<std::uint32_t>(saved_faces_.size() - 1));
+  log(EditKind::rebuild_face, number(f), static_cast<std::uint32_t>(saved_faces_.size() - 1));
 }
 
 /// Frees a face. Requires: save() has logged it.
 void TriangleMesh::drop(Face f) {
-  log(ChangeKind::free_face, number(f));
+  log(EditKind::free_face, number(f));
   push_free_face(f);
 }
 
@@ -145,8 +145,8 @@ void TriangleMesh::link(HalfEdge g, HalfEdge h, Label label) {
 void TriangleMesh::set_label(HalfEdge h, Label new_label) {
   if (new_label != 0) make_room_for_label(h, twin(h));
   const bool stays_fixed = new_label != 0 && is_fixed(h);
-  log(stays_fixed ? ChangeKind::relabel_twin : ChangeKind::set_label_of_twin, number(twin(h)));
-  log(stays_fixed ? ChangeKind::relabel : ChangeKind::set_label, number(h), label(h));
+  log(stays_fixed ? EditKind::relabel_twin : EditKind::set_label_of_twin, number(twin(h)));
+  log(stays_fixed ? EditKind::relabel : EditKind::set_label, number(h), label(h));
   write_label(h, new_label);
 }
 
@@ -193,7 +193,7 @@ std::array<HalfEdge, 3> TriangleMesh::split_face(Face f, Vertex v) {
   const HalfEdge ab = first(f);
   make_room_to_take_over(first(g), next(ab));
   make_room_to_take_over(first(k), previous(ab));
-  log(ChangeKind::split_face, number(f));
+  log(EditKind::split_face, number(f));
   const Vertex a = origin(ab);
   const Vertex b = target(ab);
   const Vertex c = apex(ab);
@@ -224,7 +224,7 @@ std::array<HalfEdge, 4> TriangleMesh::split_edge(HalfEdge h, Vertex v) {
   if (is_fixed(h)) make_room_for_label(va, vb);
   make_room_to_take_over(next(vb), next(h));
   make_room_to_take_over(next(va), next(t));
-  log(ChangeKind::split_edge, number(h), number(t));
+  log(EditKind::split_edge, number(h), number(t));
   const Vertex a = origin(h);
   const Vertex b = origin(t);
   const Vertex c = apex(h);
@@ -257,7 +257,7 @@ TriangleMesh::Flipped TriangleMesh::flip(HalfEdge h) {
   const HalfEdge t = twin(h);
   make_room_to_take_over(h, next(t));
   make_room_to_take_over(t, next(h));
-  log(ChangeKind::flip, number(h), number(t));
+  log(EditKind::flip, number(h), number(t));
   return flip_unlogged(h);
 }
 
@@ -279,7 +279,7 @@ TriangleMesh::Flipped TriangleMesh::flip_unlogged(HalfEdge h) {
   return {diagonal, previous(t)};
 }
 
-//            apex            `one` and `other` are half-edges on the hole's border, or bases of new triangles. If one
+//            apex            `one` and `other` are half-edges on the cavity's border, or bases of new triangles. If one
 //           /    \           lies on the border, the new triangle uses its face, which nothing else needs. Then this
 //      one /      \ other    half-edge and its twin do not change. If both lie on the border, `other` moves to the face
 //         /        \         of `one`, and its old face is freed. If both are bases, the new triangle takes a freed

@@ -145,17 +145,17 @@ class TriangleMesh {
   struct Triangle {
     std::uint32_t from, apex, to;
   };
-  /// Fills a hole with triangles. `border` lists consecutive half-edges on the hole's border, with the hole on their
-  /// left. The hole consists of the faces of these half-edges and, if close() follows, of the face of its argument
-  /// `old`. The new triangles use the slots of the faces of `border`. One edge of the hole is not in `border`: the
-  /// base, from the end of the last half-edge to the start of the first. `triangles` has one entry fewer than `border`.
-  /// Its first triangle lies on the base. Each triangle comes before the triangles that share the edge `from` - `apex`
-  /// or the edge `apex` - `to` with it. Returns the half-edge of the base, which has no twin until link() or close()
-  /// sets it. Overwrites `border`. Requires: no two half-edges of `border` belong to one face; the other half-edges of
-  /// these faces lie inside the hole.
+  /// Fills a cavity with triangles. `border` lists consecutive half-edges on the cavity's border, with the cavity on
+  /// their left. The cavity consists of the faces of these half-edges and, if close() follows, of the face of its
+  /// argument `old`. The new triangles use the slots of the faces of `border`. One edge of the cavity is not in
+  /// `border`: the base, from the end of the last half-edge to the start of the first. `triangles` has one entry fewer
+  /// than `border`. Its first triangle lies on the base. Each triangle comes before the triangles that share the edge
+  /// `from` - `apex` or the edge `apex` - `to` with it. Returns the half-edge of the base, which has no twin until
+  /// link() or close() sets it. Overwrites `border`. Requires: no two half-edges of `border` belong to one face; the
+  /// other half-edges of these faces lie inside the cavity.
   HalfEdge refill(std::span<HalfEdge> border, std::span<const Triangle> triangles);
-  /// Closes a hole after refill(), if the base of the hole is the edge of an old half-edge `old`. `base`, the result of
-  /// refill(), replaces `old`. Frees the face of `old`.
+  /// Closes a cavity after refill(), if the base of the cavity is the edge of an old half-edge `old`. `base`, the
+  /// result of refill(), replaces `old`. Frees the face of `old`.
   void close(HalfEdge base, HalfEdge old);
 
   /// Allocates the memory for the label of every edge. Cost: linear.
@@ -171,31 +171,31 @@ class TriangleMesh {
   void for_each_touched_face(Visit&& visit) const {
     journal_.for_each([&](const Undo& change) {
       switch (change.kind) {
-        case ChangeKind::add_face:
+        case EditKind::add_face:
           visit(Face{change.index}, Touch::made);
           break;
-        case ChangeKind::free_face:
+        case EditKind::free_face:
           visit(Face{change.index}, Touch::freed);
           break;
-        case ChangeKind::rebuild_face:
-        case ChangeKind::split_face:
+        case EditKind::rebuild_face:
+        case EditKind::split_face:
           visit(Face{change.index}, Touch::rebuilt);
           break;
-        case ChangeKind::split_edge:
-        case ChangeKind::flip:
+        case EditKind::split_edge:
+        case EditKind::flip:
           visit(face(HalfEdge{change.saved}), Touch::rebuilt);
           [[fallthrough]];
-        case ChangeKind::set_label:
-        case ChangeKind::set_label_of_twin:
+        case EditKind::set_label:
+        case EditKind::set_label_of_twin:
           visit(face(HalfEdge{change.index}), Touch::rebuilt);
           break;
-        case ChangeKind::relabel:
-        case ChangeKind::relabel_twin:
+        case EditKind::relabel:
+        case EditKind::relabel_twin:
           visit(face(HalfEdge{change.index}), Touch::relabelled);
           break;
-        case ChangeKind::add_vertex:
-        case ChangeKind::free_vertex:
-        case ChangeKind::rebuild_label:
+        case EditKind::add_vertex:
+        case EditKind::free_vertex:
+        case EditKind::rebuild_label:
           break;
       }
     });
@@ -203,8 +203,8 @@ class TriangleMesh {
   template <class Visit>
   void for_each_touched_vertex(Visit&& visit) const {
     journal_.for_each([&](const Undo& change) {
-      if (change.kind == ChangeKind::add_vertex) visit(Vertex{change.index}, Touch::made);
-      if (change.kind == ChangeKind::free_vertex) visit(Vertex{change.index}, Touch::freed);
+      if (change.kind == EditKind::add_vertex) visit(Vertex{change.index}, Touch::made);
+      if (change.kind == EditKind::free_vertex) visit(Vertex{change.index}, Touch::freed);
     });
   }
 
@@ -234,7 +234,7 @@ class TriangleMesh {
   static constexpr std::uint32_t kFixed = 0x80000000;
   static constexpr std::uint32_t kFree = 0x80000000;
 
-  enum class ChangeKind : std::uint8_t {
+  enum class EditKind : std::uint8_t {
     add_vertex,
     free_vertex,
     add_face,
@@ -249,17 +249,18 @@ class TriangleMesh {
     relabel_twin,       ///< as set_label_of_twin, but for a relabel
     rebuild_label,
   };
-  /// The record of a change. `index` is the number of the vertex, face or half-edge that has changed.
+  /// The record of an edit: an elementary change of the mesh. `index` is the number of the vertex, face or half-edge
+  /// that has changed.
   struct Undo {
-    ChangeKind kind;
+    EditKind kind;
     std::uint32_t index;
-    /// For set_label, relabel and rebuild_label: the old label. For rebuild_face: the position in `saved_faces_`. For
+    /// For set_label, relabel and rebuild_label: the old label. For rebuild_face: the index in `saved_faces_`. For
     /// split_edge and flip: the twin of `index`.
     std::uint32_t saved;
   };
   using SavedFace = std::array<HalfEdgeRecord, 3>;
 
-  void log(ChangeKind kind, std::uint32_t index, std::uint32_t saved = 0) { journal_.add({kind, index, saved}); }
+  void log(EditKind kind, std::uint32_t index, std::uint32_t saved = 0) { journal_.add({kind, index, saved}); }
   void undo(const Undo& change);
   void undo_split_face(Face f);
   void undo_split_edge(HalfEdge h);

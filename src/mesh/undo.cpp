@@ -17,38 +17,38 @@ void TriangleMesh::roll_back() {
 
 void TriangleMesh::undo(const Undo& change) {
   switch (change.kind) {
-    case ChangeKind::add_vertex:
+    case EditKind::add_vertex:
       push_free_vertex(Vertex{change.index});
       break;
-    case ChangeKind::free_vertex:
+    case EditKind::free_vertex:
       (void)pop_free_vertex();
       break;
-    case ChangeKind::add_face:
+    case EditKind::add_face:
       push_free_face(Face{change.index});
       break;
-    case ChangeKind::free_face:
+    case EditKind::free_face:
       (void)pop_free_face();
       break;
-    case ChangeKind::rebuild_face:
+    case EditKind::rebuild_face:
       restore(Face{change.index}, saved_faces_[change.saved]);
       break;
-    case ChangeKind::split_face:
+    case EditKind::split_face:
       undo_split_face(Face{change.index});
       break;
-    case ChangeKind::split_edge:
+    case EditKind::split_edge:
       undo_split_edge(HalfEdge{change.index});
       break;
-    case ChangeKind::flip:
+    case EditKind::flip:
       undo_flip(HalfEdge{change.index});
       break;
-    case ChangeKind::set_label:
-    case ChangeKind::relabel:
+    case EditKind::set_label:
+    case EditKind::relabel:
       write_label(HalfEdge{change.index}, change.saved);
       break;
-    case ChangeKind::set_label_of_twin:
-    case ChangeKind::relabel_twin:
+    case EditKind::set_label_of_twin:
+    case EditKind::relabel_twin:
       break;
-    case ChangeKind::rebuild_label:
+    case EditKind::rebuild_label:
       labels_[change.index] = change.saved;
       break;
   }

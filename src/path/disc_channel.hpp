@@ -91,7 +91,7 @@ class DiscChannel {
   mesh::HalfEdge goal_face_;
   bool is_found_ = false;
   bool marks_faces_ = true;     ///< whether the search enters each face only once
-  bool has_seen_foot_ = false;  ///< whether a foot bridge closed a passage from one edge of a face to another
+  bool has_seen_foot_ = false;  ///< whether a foot bridge stopped the disc between two edges of a face
 
   std::vector<Node> nodes_;
   OpenList open_;                             ///< indices in `nodes_`

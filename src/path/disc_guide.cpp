@@ -16,18 +16,18 @@ void DiscGuide::begin(const DiscMap& map, const DiscEnds& ends, const Point& sta
   if (at_start.kind == locate::LocatedKind::edge) last_.push_back(mesh.twin(at_start.h));
   mesh::Face start_faces[2];
   for (std::size_t i = 0; i < last_.size(); ++i) start_faces[i] = mesh::face(last_[i]);
-  labels_.begin(map, ends.start(), std::span(start_faces, last_.size()));
-  if (is_goal_on_edge) labels_.cross(at_goal);
+  distances_.begin(map, ends.start(), std::span(start_faces, last_.size()));
+  if (is_goal_on_edge) distances_.cross(at_goal);
   const locate::LocatedKind kind = is_goal_on_edge ? locate::LocatedKind::edge : locate::LocatedKind::face;
   search_.begin(map.walls, nullptr, {goal, kind, first_}, true);
-  search_.guide(labels_);
+  search_.guide(distances_);
   search_.add_goal(start, last_);
   search_.start();
 }
 
 std::span<const HalfEdge> DiscGuide::collect_exits() {
   exits_.clear();
-  search_.for_each_crossing(0, [&](HalfEdge entry) { exits_.push_back(entry); });
+  search_.for_each_portal(0, [&](HalfEdge entry) { exits_.push_back(entry); });
   return exits_;
 }
 
@@ -35,7 +35,7 @@ void DiscGuide::continue_to(double length) {
   // The terms with a power of 2 allow for rounding.
   const double limit = length * (1.0 + 0x1p-32) + (2.0 + 0x1p-4) * radius_;
   search_.continue_to(limit);
-  labels_.set_limit(limit);
+  distances_.set_limit(limit);
 }
 
 }  // namespace waywright::path

@@ -6,26 +6,26 @@
 
 #include "path/disc_ends.hpp"
 #include "path/disc_map.hpp"
-#include "path/guide_labels.hpp"
+#include "path/guide_distances.hpp"
 #include "path/optimal.hpp"
 
 namespace waywright::path {
 
 /// Guides the search for the shortest path of a disc: a point agent searches for its shortest path from the goal back
-/// to the start, and crosses no edge that is closed for the disc (DiscMap::is_closed). The label of a vertex, minus the
-/// radius, is a lower bound of the rest of a disc's path that turns around the vertex.
+/// to the start, and crosses no edge that is closed for the disc (DiscMap::is_closed). The distance of a vertex, minus
+/// the radius, is a lower bound of the rest of a disc's path that turns around the vertex.
 ///
 /// Let P be a path of the disc that is not longer than a length l, and r the radius. Then:
 /// - The centre of the disc crosses no closed edge. So P is a path of the guide, too.
-/// - Let v be a vertex of a contact of P, and x the position of the disc when it reaches this contact. The segment from
+/// - Let v be a vertex of a pivot of P, and x the position of the disc when it reaches this pivot. The segment from
 ///   x to v has the length r. It crosses no wall, because no wall is nearer to x than r. It crosses no closed bridge.
 ///   If it crossed one, v would lie in the piece of the disc beyond the bridge. This piece lies in the disc whose
 ///   diameter is the bridge, because the bridge is shorter than the disc is wide and its ends do not lie inside the
 ///   disc. But walls touch the disc of the bridge only at the two ends of the bridge. Therefore a path of the guide
 ///   leads from the start over x to v, and another path of the guide leads from v over x to the goal. The sum of their
 ///   lengths is at most l + 2 r. So if the guide has followed all windows whose bound is below l + 2 r, then v has a
-///   label, and this label is at most r longer than the rest of P.
-/// - A straight line of P leads from one contact or end to the next. The segment between their vertices lies in the
+///   distance, and this distance is at most r longer than the rest of P.
+/// - A straight line of P leads from one pivot or end to the next. The segment between their vertices lies in the
 ///   strip that the disc sweeps, so no wall meets it, and for the reason above no closed bridge meets it. Consider a
 ///   point of this segment. The nearest position on the line of P is at most r away. The segment from the point to this
 ///   position crosses no closed edge: a closed edge that crosses this segment would end in the strip, or would cross P,
@@ -34,10 +34,11 @@ namespace waywright::path {
 ///   and the guide has followed a window across each edge that this segment crosses.
 ///
 /// The guide enters no dead end without the start, but a vertex of P may lie there: the disc may touch it while its
-/// centre is outside of the dead end. GuideLabels::is_unknown() recognises these vertices and the edges in dead ends,
-/// and DiscOptimal uses no labels and no marks for them. For a vertex elsewhere, the proof above holds. The segment
-/// from x to the vertex, or P itself, may enter a dead end. Then it enters and leaves the dead end across the same
-/// edge. The straight piece of this edge between the two crossings is not longer than the detour through the dead end.
+/// centre is outside of the dead end. GuideDistances::is_unknown() recognises these vertices and the edges in dead
+/// ends, and DiscOptimal uses no distances and no marks for them. For a vertex elsewhere, the proof above holds. The
+/// segment from x to the vertex, or P itself, may enter a dead end. Then it enters and leaves the dead end across the
+/// same edge. The straight piece of this edge between these two positions is not longer than the detour through the
+/// dead end.
 ///
 /// If a path that is shorter than the limit leads through a point, Optimal keeps a shortest path to this point, not
 /// only to the goal. The reason is that Optimal leaves out a window or a root only in two cases: another path to each
@@ -59,17 +60,17 @@ class DiscGuide {
   /// that the path leaves.
   /// Requires: is_found().
   [[nodiscard]] std::span<const mesh::HalfEdge> collect_exits();
-  /// Makes the next calls of step() find the labels for all paths of the disc that are not longer than `length`.
+  /// Makes the next calls of step() find the distances for all paths of the disc that are not longer than `length`.
   void continue_to(double length);
-  /// Returns the labels of the guide. Requires: step() has returned true after continue_to().
-  [[nodiscard]] const GuideLabels& labels() const { return labels_; }
+  /// Returns the distances of the guide. Requires: step() has returned true after continue_to().
+  [[nodiscard]] const GuideDistances& distances() const { return distances_; }
 
  private:
   double radius_ = 0.0;
   std::vector<mesh::HalfEdge> first_;  ///< a half-edge of each face at the disc's goal
   std::vector<mesh::HalfEdge> last_;   ///< a half-edge of each face at the disc's start
   std::vector<mesh::HalfEdge> exits_;
-  GuideLabels labels_;
+  GuideDistances distances_;
   Optimal search_;
 };
 

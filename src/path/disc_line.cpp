@@ -42,8 +42,8 @@ bool DiscLine::is_clear(const DiscMap& map, const End& from, const End& to, cons
   direction_ = line.direction;
   back_ = {-direction_.x, -direction_.y};
   length_ = line.length;
-  start_ = touching_point(from.contact, direction_, map.radius);
-  end_ = touching_point(to.contact, direction_, map.radius);
+  start_ = touching_position(from.pivot, direction_, map.radius);
+  end_ = touching_position(to.pivot, direction_, map.radius);
   least_squared_ = map.least_distance() * map.least_distance();
   reach_ = map.radius + kTouching * map.slack;
   is_blocked_ = false;
@@ -184,17 +184,17 @@ void DiscLine::look_at_near_vertex(HalfEdge corner, const Offset& at) {
   note_obstacle(corner);
 }
 
-/// Notes an obstacle. The straight line between the centres of the two contacts says how the path passes the obstacle:
+/// Notes an obstacle. The straight line between the centres of the two pivots says how the path passes the obstacle:
 /// if the obstacle lies left of this line, it also lies left of the path, and the path turns left around it. If it lies
 /// on the line, both turns are possible.
 void DiscLine::note_obstacle(HalfEdge corner) {
   const Vertex v = map_->mesh().origin(corner);
   const Point position = map_->position(v);
   is_blocked_ = true;
-  const double across = cross(to_.contact.centre - from_.contact.centre, position - from_.contact.centre);
+  const double across = cross(to_.pivot.centre - from_.pivot.centre, position - from_.pivot.centre);
   for (const int turn : {kTurnLeft, kTurnRight}) {
     if (turn * across < 0.0) continue;
-    const auto line = tangent(from_.contact, {position, turn}, map_->radius);
+    const auto line = tangent(from_.pivot, {position, turn}, map_->radius);
     if (!line) continue;
     Obstacle& first = obstacles_[turn == kTurnLeft ? 1 : 0];
     const bool is_first = first.vertex == mesh::kNoVertex || turn * cross(line->direction, first.line.direction) > 0.0;

@@ -13,15 +13,15 @@
 
 namespace waywright::path {
 
-/// Tests whether a disc can move along a straight line. Each end of the line is a contact or a point. The test visits
+/// Tests whether a disc can move along a straight line. Each end of the line is a pivot or a point. The test visits
 /// the faces that the line crosses, and the faces beside them that are nearer to the line than the radius. It does not
 /// look beyond bridges: if both ends of a bridge are at least as far from the line as the radius, no wall beyond the
 /// bridge is nearer than the radius.
 class DiscLine {
  public:
-  /// An end of the line: a contact at a vertex, or a point.
+  /// An end of the line: a pivot at a vertex, or a point.
   struct End {
-    Contact contact;
+    Pivot pivot;
     mesh::Vertex vertex = mesh::kNoVertex;  ///< kNoVertex at a point
   };
 
@@ -35,7 +35,7 @@ class DiscLine {
   /// Tests the line from `from` to `to` in a direction. `face` is a half-edge of the face that contains the position at
   /// which the line ends. Returns whether no wall is nearer to the line than the radius and the line crosses only gaps
   /// that are wide enough. If the result is false, left() and right() are the obstacles that the test has found, if
-  /// there are any. Consider the straight line between the centres of the two contacts. Of the obstacles on its left,
+  /// there are any. Consider the straight line between the centres of the two pivots. Of the obstacles on its left,
   /// left() is the one whose tangent from `from` points farthest to the right. Of the obstacles on its right, right()
   /// is the one whose tangent from `from` points farthest to the left. An obstacle on this line counts as left and as
   /// right of it.
@@ -49,8 +49,8 @@ class DiscLine {
     mesh::HalfEdge h;     ///< a half-edge of the face that contains the position; if `is_behind_wall`, the wall
     bool is_behind_wall;  ///< whether a wall lies between the vertex and the position
   };
-  /// Finds the face that contains `touching`, the position at which a line touches a contact. `vertex` is the position
-  /// of the contact's vertex, and `corner` starts at this vertex. The function follows the straight line from the
+  /// Finds the face that contains `touching`, the position at which a line touches a pivot. `vertex` is the position
+  /// of the pivot's vertex, and `corner` starts at this vertex. The function follows the straight line from the
   /// vertex to `touching`. If this line meets a wall, the disc does not fit at `touching`. Requires: the line begins in
   /// the face of `corner`.
   [[nodiscard]] static FaceAt face_at(const DiscMap& map, const Point& vertex, const Point& touching,

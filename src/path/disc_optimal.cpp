@@ -33,8 +33,8 @@ Point unit(const Point& v) {
 
 }  // namespace
 
-void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit, const GuideLabels* labels) {
-  labels_ = labels;
+void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit, const GuideDistances* distances) {
+  distances_ = distances;
   map_ = &map;
   ends_ = &ends;
   limit_ = limit * (1.0 + 0x1p-40);  // allows for rounding
@@ -52,10 +52,10 @@ void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit, 
   leave_start(ends.at_start());
 }
 
-/// Returns whether the edge `exit` is too short for a line from a contact. Requires: the edge is not surely long
+/// Returns whether the edge `exit` is too short for a line from a pivot. Requires: the edge is not surely long
 /// (DiscMap::surely_long); `squared` is its squared length. If the edge is shorter than the disc is wide, the disc fits
-/// at no position on it. But if the edge is near the vertex of a contact, a line may begin beyond the edge.
-bool DiscOptimal::is_too_short(const Contact& from, HalfEdge exit, const Edge& edge, double squared) const {
+/// at no position on it. But if the edge is near the vertex of a pivot, a line may begin beyond the edge.
+bool DiscOptimal::is_too_short(const Pivot& from, HalfEdge exit, const Edge& edge, double squared) const {
   if (map_->is_closed(exit)) return true;
   if (squared >= map_->surely_short) return false;
   return from.turn == kNoTurn ||
@@ -71,7 +71,7 @@ bool DiscOptimal::is_too_short(const Contact& from, HalfEdge exit, const Edge& e
 WAYWRIGHT_ALWAYS_INLINE
 bool DiscOptimal::is_outside(const Root& root, const Point& left, const Point& right, HalfEdge exit,
                              const Edge& edge) const {
-  const Contact& from = root.end.contact;
+  const Pivot& from = root.end.pivot;
   if (is_excluded(from, exit, edge)) return true;
   const bool is_left = from.turn == kTurnLeft;
   const Point& nearer_bound = is_left ? left : right;
@@ -82,7 +82,7 @@ bool DiscOptimal::is_outside(const Root& root, const Point& left, const Point& r
 /// Returns whether the point where a ray of a window meets the edge is too far from the line through the vertex of the
 /// root: see is_outside().
 bool DiscOptimal::is_far_behind(const Root& root, const Point& bound, const Edge& edge) const {
-  const Contact& from = root.end.contact;
+  const Pivot& from = root.end.pivot;
   const std::optional<Point> end = meeting({0.0, 0.0}, bound, edge.right - from.centre, edge.left - edge.right);
   return end && from.turn * cross(root.direction, *end) < -kOutside * map_->radius;
 }
@@ -90,7 +90,7 @@ bool DiscOptimal::is_far_behind(const Root& root, const Point& bound, const Edge
 std::uint32_t DiscOptimal::add_root(const Root& root) {
   roots_.push_back(root);
   Root& added = roots_.back();
-  added.position = touching_point(root.end.contact, root.direction, map_->radius);
+  added.position = touching_position(root.end.pivot, root.direction, map_->radius);
   added.distance = distance(added.position, ends_->goal());
   return static_cast<std::uint32_t>(roots_.size() - 1);
 }
@@ -118,7 +118,7 @@ bool DiscOptimal::step(std::size_t limit, std::size_t& expansions) {
 /// Returns whether a path that leaves the root in this direction turns back there: it would turn right at the root of a
 /// left turn, or left at the root of a right turn. Allows for rounding.
 bool DiscOptimal::turns_back(const Root& root, const Point& direction) const {
-  return root.end.contact.turn * cross(root.direction, direction) < -kTurnsBack;
+  return root.end.pivot.turn * cross(root.direction, direction) < -kTurnsBack;
 }
 
 void DiscOptimal::leave_start(const locate::Located& location) {
@@ -131,7 +131,7 @@ void DiscOptimal::leave_start(const locate::Located& location) {
       push_goal(0, {unit(ends_->goal() - ends_->start()), waywright::length(ends_->goal() - ends_->start())});
     for (const HalfEdge h : {first, mesh::next(first), mesh::previous(first)}) {
       const Edge edge = edge_of(h);
-      if ((h == first && is_on_edge) || is_excluded(roots_[0].end.contact, h, edge)) continue;
+      if ((h == first && is_on_edge) || is_excluded(roots_[0].end.pivot, h, edge)) continue;
       const Bound right{edge.right - ends_->start(), mesh.origin(h)};
       const Bound left{edge.left - ends_->start(), mesh.target(h)};
       offer({mesh.twin(h), 0, right, left}, edge);
@@ -178,7 +178,7 @@ void DiscOptimal::follow(Window window) {
 bool DiscOptimal::divide(Window& window, Edge& edge, const Point& apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const Root& root = roots_[window.root];
-  const Bound towards_apex{apex - root.end.contact.centre, mesh.apex(window.entry)};
+  const Bound towards_apex{apex - root.end.pivot.centre, mesh.apex(window.entry)};
   const HalfEdge left_exit = mesh::previous(window.entry);
   const HalfEdge right_exit = mesh::next(window.entry);
   const Edge left_edge{edge.left, apex};
@@ -209,25 +209,24 @@ void DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
   const Vertex v = mesh.origin(corner);
   const HalfEdge near_edge = is_left ? mesh::previous(window.entry) : mesh::next(window.entry);
   const HalfEdge far_edge = is_left ? mesh::next(window.entry) : mesh::previous(window.entry);
-  const Contact& from = roots_[window.root].end.contact;
-  const Contact contact = end_at(v, turn).contact;
-  const bool may_cross_far_edge =
-      (sees_apex || from.turn != turn) && !is_excluded(contact, far_edge, edge_of(far_edge));
+  const Pivot& from = roots_[window.root].end.pivot;
+  const Pivot pivot = end_at(v, turn).pivot;
+  const bool may_cross_far_edge = (sees_apex || from.turn != turn) && !is_excluded(pivot, far_edge, edge_of(far_edge));
   const bool is_goal_near =
       ends_->is_goal_face(mesh::face(window.entry)) || ends_->is_goal_face(mesh::face(mesh.twin(window.entry)));
-  if (!is_goal_near && !may_cross_far_edge && is_excluded(contact, near_edge, edge_of(near_edge))) return;
-  const auto line = tangent(from, contact, map_->radius);
+  if (!is_goal_near && !may_cross_far_edge && is_excluded(pivot, near_edge, edge_of(near_edge))) return;
+  const auto line = tangent(from, pivot, map_->radius);
   if (line) push_turn(window.root, corner, turn, *line, kNone);
 }
 
-/// Adds a turn node, unless the path would have to turn back at the root to reach this contact: a path that turns back
-/// is not the shortest. Also leaves out a contact whose vertex is not useful (GuideLabels::is_useful()).
+/// Adds a turn node, unless the path would have to turn back at the root to reach this pivot: a path that turns back
+/// is not the shortest. Also leaves out a pivot whose vertex is not useful (GuideDistances::is_useful()).
 void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const Tangent& line, std::uint32_t earlier) {
   if (turns_back(roots_[root], line.direction)) return;
   const Vertex v = map_->mesh().origin(corner);
   const Point centre = map_->position(v);
-  const bool has_label = labels_ != nullptr && !labels_->is_unknown(corner);
-  if (has_label && !labels_->is_useful(v, centre)) return;
+  const bool has_distance = distances_ != nullptr && !distances_->is_unknown(corner);
+  if (has_distance && !distances_->is_useful(v, centre)) return;
   Reached& reached = reached_at(v, turn);
   for (std::uint32_t i = reached.noted; i != kNone; i = noted_[i].older) {
     if (noted_[i].root == root && is_same_chain(noted_[i].earlier, earlier)) return;
@@ -235,16 +234,16 @@ void DiscOptimal::push_turn(std::uint32_t root, HalfEdge corner, int turn, const
   noted_.push_back({root, earlier, reached.noted});
   reached.noted = static_cast<std::uint32_t>(noted_.size() - 1);
   const double length = length_to(roots_[root], line.direction) + line.length;
-  const Point touching = touching_point({centre, turn}, line.direction, map_->radius);
+  const Point touching = touching_position({centre, turn}, line.direction, map_->radius);
   double rest = distance(touching, ends_->goal());
-  if (has_label) rest = std::max(rest, labels_->least_length(v, centre) - map_->radius);
+  if (has_distance) rest = std::max(rest, distances_->least_length(v, centre) - map_->radius);
   const double least = length + rest;
   if (least > limit_) return;
   turn_nodes_.push_back({corner, root, v, turn, line, length, earlier});
   open_.push(least, static_cast<std::uint32_t>(2 * turn_nodes_.size() - 1));
 }
 
-/// Returns whether the two chains of turn nodes that start at `a` and at `b` (TurnNode::earlier) have the same contacts
+/// Returns whether the two chains of turn nodes that start at `a` and at `b` (TurnNode::earlier) have the same pivots
 /// in the same order.
 bool DiscOptimal::is_same_chain(std::uint32_t a, std::uint32_t b) const {
   while (a != b) {
@@ -268,7 +267,7 @@ void DiscOptimal::reach_goal(const Window& window) {
   const Root& root = roots_[window.root];
   if (orientation(root, window.left, ends_->goal()) > 0.0) return;
   if (orientation(root, window.right, ends_->goal()) < 0.0) return;
-  const auto line = tangent(root.end.contact, {ends_->goal(), kNoTurn}, map_->radius);
+  const auto line = tangent(root.end.pivot, {ends_->goal(), kNoTurn}, map_->radius);
   if (line) push_goal(window.root, *line);
 }
 
@@ -303,7 +302,7 @@ double DiscOptimal::bound(const Window& window, const Edge& edge) const {
   if (cross(edge.right - edge.left, from - edge.left) > 0.0) return root.length + root.distance;
   double rest =
       std::max(root.distance, distance_via_segment(from, edge.left, edge.right, ends_->goal()) - 2.0 * map_->radius);
-  if (labels_ != nullptr) rest = std::max(rest, bound_of_guide(window, edge));
+  if (distances_ != nullptr) rest = std::max(rest, bound_of_guide(window, edge));
   return root.length + rest;
 }
 
@@ -317,14 +316,14 @@ double DiscOptimal::bound_of_guide(const Window& window, const Edge& edge) const
   const mesh::TriangleMesh& mesh = map_->mesh();
   const Root& root = roots_[window.root];
   double rest = 0.0;
-  if (!labels_->is_unknown(window.entry)) {
-    const double left_rest = labels_->least_length(mesh.origin(window.entry), edge.left);
-    const double right_rest = labels_->least_length(mesh.target(window.entry), edge.right);
+  if (!distances_->is_unknown(window.entry)) {
+    const double left_rest = distances_->least_length(mesh.origin(window.entry), edge.left);
+    const double right_rest = distances_->least_length(mesh.target(window.entry), edge.right);
     rest = std::max(distance(root.position, edge.left) + right_rest, distance(root.position, edge.right) + left_rest) -
            distance(edge.left, edge.right) - 2.0 * map_->radius;
   }
-  if (root.end.vertex == mesh::kNoVertex || labels_->is_unknown(root.corner)) return rest;
-  return std::max(rest, labels_->least_length(root.end.vertex, root.end.contact.centre) - map_->radius);
+  if (root.end.vertex == mesh::kNoVertex || distances_->is_unknown(root.corner)) return rest;
+  return std::max(rest, distances_->least_length(root.end.vertex, root.end.pivot.centre) - map_->radius);
 }
 
 // Copies the node: new nodes may move the memory of `turn_nodes_`.
@@ -332,21 +331,21 @@ void DiscOptimal::expand(std::uint32_t index) {
   ++expansions_;
   const TurnNode node = turn_nodes_[index];
   const Root& from = roots_[node.root];
-  if (is_beyond(from.limit, from.end.contact, from.direction, node.line.direction)) return push_limit(index);
+  if (is_beyond(from.limit, from.end.pivot, from.direction, node.line.direction)) return push_limit(index);
   if (node.vertex == mesh::kNoVertex) return try_goal(index);
   Reached& reached = reached_at(node.vertex, node.turn);
   if (const std::uint32_t failed = failed_line(node, reached.failed); failed != kNone) {
     return push_obstacles(index, failed_[failed].left, failed_[failed].right);
   }
   const DiscLine::End end = end_at(node.vertex, node.turn);
-  const Point touching = touching_point(end.contact, node.line.direction, map_->radius);
-  const HalfEdge corner = corner_towards(*map_, node.corner, touching - end.contact.centre, node.turn);
+  const Point touching = touching_position(end.pivot, node.line.direction, map_->radius);
+  const HalfEdge corner = corner_towards(*map_, node.corner, touching - end.pivot.centre, node.turn);
   if (corner == mesh::kNoHalfEdge) return;
   if (const std::uint32_t better = dominating_root(node, corner, reached.root); better != kNone) {
     return push_next_line(better, node.earlier);
   }
   if (is_shorter_with_other_turn(node, corner)) return;
-  const DiscLine::FaceAt face = DiscLine::face_at(*map_, end.contact.centre, touching, corner);
+  const DiscLine::FaceAt face = DiscLine::face_at(*map_, end.pivot.centre, touching, corner);
   if (face.is_behind_wall) return;
   if (!line_.is_clear(*map_, from.end, end, node.line, face.h)) {
     failed_.push_back({node.root, reached.failed, line_.left(), line_.right()});
@@ -392,9 +391,9 @@ void DiscOptimal::push_limit(std::uint32_t index) {
   const Root& root = roots_[turn_nodes_[index].root];
   const HalfEdge corner = root.limit.corner;
   if (corner == mesh::kNoHalfEdge) return;
-  const int turn = root.end.contact.turn;
+  const int turn = root.end.pivot.turn;
   const Vertex v = map_->mesh().origin(corner);
-  const auto line = tangent(root.end.contact, end_at(v, turn).contact, map_->radius);
+  const auto line = tangent(root.end.pivot, end_at(v, turn).pivot, map_->radius);
   DiscLine::Obstacle limit;
   if (line) limit = {v, corner, *line};
   push_obstacles(index, turn == kTurnLeft ? limit : DiscLine::Obstacle{},
@@ -406,15 +405,15 @@ void DiscOptimal::push_next_line(std::uint32_t root, std::uint32_t earlier) {
   if (earlier == kNone) return;
   const TurnNode next = turn_nodes_[earlier];
   if (next.vertex == mesh::kNoVertex) {
-    if (const auto line = tangent(roots_[root].end.contact, {ends_->goal(), kNoTurn}, map_->radius))
+    if (const auto line = tangent(roots_[root].end.pivot, {ends_->goal(), kNoTurn}, map_->radius))
       push_goal(root, *line);
     return;
   }
-  const auto line = tangent(roots_[root].end.contact, end_at(next.vertex, next.turn).contact, map_->radius);
+  const auto line = tangent(roots_[root].end.pivot, end_at(next.vertex, next.turn).pivot, map_->radius);
   if (line && next.vertex != roots_[root].end.vertex) push_turn(root, next.corner, next.turn, *line, next.earlier);
 }
 
-/// Returns a root at the same contact from which the disc can reach the end of the line along the circle, in one of the
+/// Returns a root at the same pivot from which the disc can reach the end of the line along the circle, in one of the
 /// two directions, by a path that is not longer. Returns kNone if there is none.
 std::uint32_t DiscOptimal::dominating_root(const TurnNode& node, HalfEdge corner, std::uint32_t first) const {
   for (std::uint32_t i = first; i != kNone; i = roots_[i].older) {
@@ -450,7 +449,7 @@ bool DiscOptimal::is_shorter_with_other_turn(const TurnNode& node, HalfEdge corn
   return false;
 }
 
-/// Returns the entry in `failed_` of the line from the same root to the same contact, or kNone.
+/// Returns the entry in `failed_` of the line from the same root to the same pivot, or kNone.
 std::uint32_t DiscOptimal::failed_line(const TurnNode& node, std::uint32_t first) const {
   for (std::uint32_t i = first; i != kNone; i = failed_[i].older) {
     if (failed_[i].root == node.root) return i;
@@ -477,31 +476,31 @@ bool DiscOptimal::are_on_one_arc(HalfEdge from, HalfEdge to, int turn) const {
 void DiscOptimal::leave_root(std::uint32_t root_index, HalfEdge corner) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const Root root = roots_[root_index];
-  const Contact& contact = root.end.contact;
-  Bound first{{contact.turn * root.direction.y, -contact.turn * root.direction.x}, mesh::kNoVertex};
+  const Pivot& pivot = root.end.pivot;
+  Bound first{{pivot.turn * root.direction.y, -pivot.turn * root.direction.x}, mesh::kNoVertex};
   const auto visit = [&](HalfEdge at, HalfEdge spoke, double order) {
     const Vertex end = mesh.target(spoke);
-    Bound last{map_->position(end) - contact.centre, end};
+    Bound last{map_->position(end) - pivot.centre, end};
     // The spoke lies beyond a turn of 180 degrees (turn_around()).
     if (order > 2.0) last = {opposite(root.direction), mesh::kNoVertex};
     if (ends_->is_goal_face(mesh::face(at))) {
-      if (const auto line = tangent(contact, {ends_->goal(), kNoTurn}, map_->radius)) push_goal(root_index, *line);
+      if (const auto line = tangent(pivot, {ends_->goal(), kNoTurn}, map_->radius)) push_goal(root_index, *line);
     }
     const HalfEdge exit = mesh::next(at);
     const Edge edge = edge_of(exit);
     Window window{mesh.twin(exit), root_index, first, last};
-    if (contact.turn == kTurnRight) std::swap(window.right, window.left);
+    if (pivot.turn == kTurnRight) std::swap(window.right, window.left);
     if (!is_outside(root, window.left.direction, window.right.direction, exit, edge)) offer(window, edge);
     first = last;
   };
-  roots_[root_index].limit = turn_around(*map_, contact, root.direction, corner, visit);
+  roots_[root_index].limit = turn_around(*map_, pivot, root.direction, corner, visit);
 }
 
 void DiscOptimal::write_path(std::vector<DiscPiece>& pieces) {
   stops_.clear();
   Point departure = last_direction_;
   for (std::uint32_t i = last_root_; i != kNone; i = roots_[i].before) {
-    stops_.push_back({roots_[i].end.contact, departure});
+    stops_.push_back({roots_[i].end.pivot, departure});
     departure = roots_[i].direction;
   }
   std::reverse(stops_.begin(), stops_.end());

@@ -11,20 +11,20 @@
 #include "path/disc_map.hpp"
 #include "path/disc_pieces.hpp"
 #include "path/disc_turn.hpp"
-#include "path/guide_labels.hpp"
+#include "path/guide_distances.hpp"
 #include "path/open_list.hpp"
 #include "path/tangent.hpp"
 
 namespace waywright::path {
 
 /// Finds the shortest path of a disc by A*. The path is a sequence of straight lines and of arcs around wall vertices;
-/// each line touches the arcs at its ends. A *contact* is a vertex together with the direction in which the path turns
-/// around it: left or right. A *root* is the start, or a contact together with a path to it. A line leaves its root. A
-/// *turn node* is a line from a root to a contact, or to the goal. A *window* is an edge of the mesh together with two
+/// each line touches the arcs at its ends. A *pivot* is a vertex together with the direction in which the path turns
+/// around it: left or right. A *root* is the start, or a pivot together with a path to it. A line leaves its root. A
+/// *turn node* is a line from a root to a pivot, or to the goal. A *window* is an edge of the mesh together with two
 /// rays from the vertex of a root.
 ///
 /// With windows, the search finds the vertices that are visible from the vertex of a root. Windows move from face to
-/// face, as in Optimal. If a disc can move along a straight line from one contact to another, then the two vertices see
+/// face, as in Optimal. If a disc can move along a straight line from one pivot to another, then the two vertices see
 /// each other. Before a path uses a line, DiscLine tests it. If the line has an obstacle (DiscLine::Obstacle), the
 /// search adds a turn node for this vertex. From this vertex, the search then tries a line to the end of the old line.
 /// It does the same with the vertex that limits the turn before the line, if the path cannot turn far enough for it.
@@ -37,9 +37,9 @@ namespace waywright::path {
 /// finds paths of points on convex meshes).
 class DiscOptimal {
  public:
-  /// Starts a search for a path that is not longer than `limit`. `labels` are the labels of a guide for this map, these
-  /// ends and this limit, or null. Requires: `ends` belongs to `map`. None of them changes during the search.
-  void begin(const DiscMap& map, const DiscEnds& ends, double limit, const GuideLabels* labels);
+  /// Starts a search for a path that is not longer than `limit`. `distances` are the distances of a guide for this map,
+  /// these ends and this limit, or null. Requires: `ends` belongs to `map`. None of them changes during the search.
+  void begin(const DiscMap& map, const DiscEnds& ends, double limit, const GuideDistances* distances);
   /// Continues until `expansions` reaches `limit` or the search has ended. Returns whether it has ended.
   bool step(std::size_t limit, std::size_t& expansions);
   /// A lower bound of the length of each path that is not longer than the limit. Requires: step() has returned false.
@@ -55,17 +55,17 @@ class DiscOptimal {
   // A member that names a root, a turn node or a record contains its index in `roots_`, `turn_nodes_`, `noted_` or
   // `failed_`, or kNone if there is none.
 
-  /// A contact, and a path to it. DiscLine has accepted the last line of this path. If several paths lead to a contact,
-  /// the contact has several roots. The first root is the start.
+  /// A pivot, and a path to it. DiscLine has accepted the last line of this path. If several paths lead to a pivot,
+  /// the pivot has several roots. The first root is the start.
   struct Root {
-    DiscLine::End end;      ///< the contact, or the start
-    mesh::HalfEdge corner;  ///< the corner of a face at the vertex of the contact, in the direction of `position`
-    Point direction;        ///< the direction in which the path arrives at the contact; at the start: not used
-    double length = 0.0;    ///< the length of the path from the start to `position`
+    DiscLine::End end;             ///< the pivot, or the start
+    mesh::HalfEdge corner;         ///< the corner of a face at the vertex of the pivot, in the direction of `position`
+    Point direction;               ///< the direction in which the path arrives at the pivot; at the start: not used
+    double length = 0.0;           ///< the length of the path from the start to `position`
     std::uint32_t before = kNone;  ///< the root before this one on the path
     TurnLimit limit{};             ///< how far the path can turn around the vertex
-    std::uint32_t older = kNone;   ///< the root that the search has made before for the same contact, or kNone
-    Point position{};              ///< the position of the disc's centre when the path arrives at the contact
+    std::uint32_t older = kNone;   ///< the root that the search has made before for the same pivot, or kNone
+    Point position{};              ///< the position of the disc's centre when the path arrives at the pivot
     double distance = 0.0;         ///< the distance from `position` to the goal
   };
 
@@ -86,29 +86,29 @@ class DiscOptimal {
     Point left;
     Point right;
   };
-  /// A line from a root to a contact, or to the goal. When the search takes the turn node from the open list, DiscLine
+  /// A line from a root to a pivot, or to the goal. When the search takes the turn node from the open list, DiscLine
   /// tests the line.
   struct TurnNode {
-    mesh::HalfEdge corner;  ///< starts at the vertex of the contact; at the goal: DiscEnds::goal_face()
+    mesh::HalfEdge corner;  ///< starts at the vertex of the pivot; at the goal: DiscEnds::goal_face()
     std::uint32_t root;     ///< the root at which the line starts
-    mesh::Vertex vertex;    ///< the vertex of the contact; kNoVertex at the goal
+    mesh::Vertex vertex;    ///< the vertex of the pivot; kNoVertex at the goal
     int turn;               ///< the direction in which the path turns around the vertex; kNoTurn at the goal
     Tangent line;
     double length;  ///< the length of the path from the start to the end of the line
-    /// An earlier turn node, if this contact is an obstacle of the earlier line, or limits the turn before that line.
-    /// After the turn around this contact, the search tries a line to the end of the earlier line.
+    /// An earlier turn node, if this pivot is an obstacle of the earlier line, or limits the turn before that line.
+    /// After the turn around this pivot, the search tries a line to the end of the earlier line.
     std::uint32_t earlier;
   };
 
   /// A record of a turn node that push_turn() has handled, so that the search does not add this turn node again. The
-  /// records of one contact form a linked list, which starts at Reached::noted.
+  /// records of one pivot form a linked list, which starts at Reached::noted.
   struct Noted {
     std::uint32_t root;     ///< TurnNode::root
     std::uint32_t earlier;  ///< TurnNode::earlier
     std::uint32_t older;    ///< the record of this list that the search has made before, or kNone
   };
 
-  /// A record of a line that failed its test, with the obstacles that the test found. The records of one contact form a
+  /// A record of a line that failed its test, with the obstacles that the test found. The records of one pivot form a
   /// linked list, which starts at Reached::failed.
   struct Failed {
     std::uint32_t root;   ///< the root at which the line starts
@@ -117,20 +117,20 @@ class DiscOptimal {
     DiscLine::Obstacle right;
   };
 
-  /// What the search knows about a contact.
+  /// What the search knows about a pivot.
   struct Reached {
     std::uint32_t query;   ///< the number of the query that wrote this entry
-    std::uint32_t root;    ///< the last root of this contact
-    std::uint32_t noted;   ///< the last record of a turn node that ends at this contact
-    std::uint32_t failed;  ///< the last record of a line to this contact that failed its test
+    std::uint32_t root;    ///< the last root of this pivot
+    std::uint32_t noted;   ///< the last record of a turn node that ends at this pivot
+    std::uint32_t failed;  ///< the last record of a line to this pivot that failed its test
   };
 
-  /// Returns the entry of a contact. Clears it if an earlier query wrote it.
+  /// Returns the entry of a pivot. Clears it if an earlier query wrote it.
   [[nodiscard]] Reached& reached_at(mesh::Vertex v, int turn);
   /// Returns a number that is positive if the position lies left of a ray of a window of this root, negative if it lies
   /// right of the ray, and 0 if it lies on the ray.
   [[nodiscard]] static double orientation(const Root& root, const Bound& bound, const Point& position) {
-    return cross(bound.direction, position - root.end.contact.centre);
+    return cross(bound.direction, position - root.end.pivot.centre);
   }
   /// The ends of the edge of `exit`, for a window that leaves the face of `exit` across this edge.
   [[nodiscard]] Edge edge_of(mesh::HalfEdge exit) const {
@@ -139,16 +139,16 @@ class DiscOptimal {
   [[nodiscard]] bool turns_back(const Root& root, const Point& direction) const;
   [[nodiscard]] DiscLine::End end_at(mesh::Vertex v, int turn) const { return {{map_->position(v), turn}, v}; }
 
-  /// Returns whether the search follows no window of the contact `from` across the edge `exit`, whose ends are `edge`.
+  /// Returns whether the search follows no window of the pivot `from` across the edge `exit`, whose ends are `edge`.
   /// There are four reasons: the edge is a wall; beyond the edge lies only a dead end without the goal; the guide
   /// could have crossed the edge and has not; the edge is too short for the disc (is_too_short()).
-  [[nodiscard]] bool is_excluded(const Contact& from, mesh::HalfEdge exit, const Edge& edge) const {
-    if (labels_ != nullptr && !labels_->is_crossed(exit) && !labels_->is_unknown(exit)) return true;
+  [[nodiscard]] bool is_excluded(const Pivot& from, mesh::HalfEdge exit, const Edge& edge) const {
+    if (distances_ != nullptr && !distances_->is_crossed(exit) && !distances_->is_unknown(exit)) return true;
     if (ends_->dead_ends().is_no_exit(mesh::face(exit), exit)) return true;
     const double squared = squared_length(edge.left - edge.right);
     return squared <= map_->surely_long && is_too_short(from, exit, edge, squared);
   }
-  [[nodiscard]] bool is_too_short(const Contact& from, mesh::HalfEdge exit, const Edge& edge, double squared) const;
+  [[nodiscard]] bool is_too_short(const Pivot& from, mesh::HalfEdge exit, const Edge& edge, double squared) const;
   [[nodiscard]] bool is_outside(const Root& root, const Point& left, const Point& right, mesh::HalfEdge exit,
                                 const Edge& edge) const;
   [[nodiscard]] bool is_far_behind(const Root& root, const Point& bound, const Edge& edge) const;
@@ -169,7 +169,7 @@ class DiscOptimal {
   /// bound is above `limit_`.
   void offer(const Window& window, const Edge& edge);
 
-  /// Tests the line of a turn node, unless a known path to its contact is at least as short. If the line passes the
+  /// Tests the line of a turn node, unless a known path to its pivot is at least as short. If the line passes the
   /// test, makes a root at its end. If it fails, adds turn nodes for its obstacles.
   void expand(std::uint32_t index);
   /// Tests the line of a turn node that ends at the goal. If the line passes the test, the search has found the path.
@@ -184,14 +184,14 @@ class DiscOptimal {
   void leave_root(std::uint32_t root, mesh::HalfEdge corner);
 
   [[nodiscard]] double length_to(const Root& root, const Point& direction) const {
-    return root.length + arc_length(root.end.contact, root.direction, direction, map_->radius);
+    return root.length + arc_length(root.end.pivot, root.direction, direction, map_->radius);
   }
   [[nodiscard]] double bound(const Window& window, const Edge& edge) const;
   [[nodiscard]] double bound_of_guide(const Window& window, const Edge& edge) const;
 
   const DiscMap* map_ = nullptr;
   const DiscEnds* ends_ = nullptr;
-  const GuideLabels* labels_ = nullptr;  ///< the labels of the guide, or null
+  const GuideDistances* distances_ = nullptr;  ///< the distances of the guide, or null
   bool is_found_ = false;
   double length_ = 0.0;
   double limit_ = 0.0;               ///< the search leaves out each node whose bound is larger
@@ -208,7 +208,7 @@ class DiscOptimal {
   std::vector<Window> at_once_;  ///< windows to follow before the next node of the open list
   OpenList open_;                ///< 2 i stands for the window i, 2 i + 1 for the turn node i
   DiscLine line_;
-  std::vector<DiscStop> stops_;           ///< the start and the contacts of the path, for write_path()
+  std::vector<DiscStop> stops_;           ///< the start and the pivots of the path, for write_path()
   memory::ZeroedArray<Reached> reached_;  ///< by vertex and turn: see reached_at()
   memory::Stamp stamp_;
 };

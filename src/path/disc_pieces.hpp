@@ -21,17 +21,17 @@ struct DiscPiece {
   Point end_direction;  ///< the direction of the path at the end of the arc
 };
 
-/// A contact of a path, and the direction of the line that leaves it.
+/// A pivot of a path, and the direction of the line that leaves it.
 struct DiscStop {
-  Contact contact;
+  Pivot pivot;
   Point departure;
 };
 
-/// Returns the length of the arc around a contact at which a path arrives in one direction and leaves in another. A
+/// Returns the length of the arc around a pivot at which a path arrives in one direction and leaves in another. A
 /// turn in the wrong direction is a rounding error and counts as no turn.
-[[nodiscard]] double arc_length(const Contact& contact, const Point& arrival, const Point& departure, double radius);
+[[nodiscard]] double arc_length(const Pivot& pivot, const Point& arrival, const Point& departure, double radius);
 
-/// Writes the pieces of a path. `stops` contains the start and the contacts of the path. The last line ends at `goal`.
+/// Writes the pieces of a path. `stops` contains the start and the pivots of the path. The last line ends at `goal`.
 /// All positions of `stops` and `goal` are relative to the origin of the map.
 void write_disc_pieces(const DiscMap& map, std::span<const DiscStop> stops, const Point& goal,
                        std::vector<DiscPiece>& pieces);

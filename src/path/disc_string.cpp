@@ -73,17 +73,17 @@ bool DiscString::turns(std::size_t before, const Bend& at, const Bend& after, in
   return turn * (std::sqrt(std::max(square, 0.0)) * cross(to, on) + across * dot(to, on)) > 0.0;
 }
 
-/// Returns whether the string from the apex to `end` has to turn around `other`, the next contact on the opposite
+/// Returns whether the string from the apex to `end` has to turn around `other`, the next pivot on the opposite
 /// string of the funnel. This is so if `end` lies beyond the tangent from the apex to `other`, and its own tangent is
 /// longer.
 ///
-/// Consider the angle between the tangent of two contacts and the line between their centres. If the path turns in
-/// opposite directions at the contacts, the sine of this angle is the diameter divided by the distance between the
+/// Consider the angle between the tangent of two pivots and the line between their centres. If the path turns in
+/// opposite directions at the pivots, the sine of this angle is the diameter divided by the distance between the
 /// centres. In all other cases, the angle is smaller. The sum of two sines is at least the sine of the sum. So if the
 /// sine of the angle between the two lines between the centres is larger than the sum of these two sines, a turn from
 /// one tangent to the other has the same direction as a turn from one of these lines to the other. (The sum of the
 /// magnitudes of the two coordinates of a vector is at least the length of the vector.)
-bool DiscString::is_across(const Contact& end, const Contact& other) {
+bool DiscString::is_across(const Pivot& end, const Pivot& other) {
   const Point to_end_centre = end.centre - row_[apex_].centre;
   const Point to_other_centre = other.centre - row_[apex_].centre;
   const double angle = -other.turn * cross(to_other_centre, to_end_centre);
@@ -137,7 +137,7 @@ void DiscString::move(HalfEdge corner, int turn) {
 }
 
 void DiscString::end_at_goal() {
-  const Contact goal{goal_, kNoTurn};
+  const Pivot goal{goal_, kNoTurn};
   const std::size_t first = apex_;
   while (apex_ != left_ && is_across(goal, {row_[apex_ - 1].centre, kTurnLeft})) move_apex(apex_ - 1, kTurnLeft);
   if (apex_ == first) {
@@ -151,10 +151,10 @@ bool DiscString::straighten() {
   std::size_t steps = 8 * stops_.size() + 32;
   for (std::size_t i = 0; i + 1 < stops_.size(); --steps) {
     if (steps == 0) return false;
-    const auto line = tangent(stops_[i].end.contact, stops_[i + 1].end.contact, map_->radius);
+    const auto line = tangent(stops_[i].end.pivot, stops_[i + 1].end.pivot, map_->radius);
     if (!line) return false;
     stops_[i].line = *line;
-    const int turn = stops_[i].end.contact.turn;
+    const int turn = stops_[i].end.pivot.turn;
     if (i > 0 && turn * cross(stops_[i - 1].line.direction, line->direction) < -kTurnsBack) {
       stops_.erase(stops_.begin() + static_cast<std::ptrdiff_t>(i));
       --i;
@@ -174,9 +174,9 @@ DiscString::Step DiscString::test(std::size_t i) {
   const Stop& to = stops_[i + 1];
   HalfEdge face = goal_face_;
   if (to.end.vertex != mesh::kNoVertex) {
-    const Point& centre = to.end.contact.centre;
-    const Point touching = touching_point(to.end.contact, from.line.direction, map_->radius);
-    const HalfEdge corner = corner_towards(*map_, to.corner, touching - centre, to.end.contact.turn);
+    const Point& centre = to.end.pivot.centre;
+    const Point touching = touching_position(to.end.pivot, from.line.direction, map_->radius);
+    const HalfEdge corner = corner_towards(*map_, to.corner, touching - centre, to.end.pivot.turn);
     if (corner == mesh::kNoHalfEdge) return Step::failed;
     stops_[i + 1].corner = corner;
     const DiscLine::FaceAt found = DiscLine::face_at(*map_, centre, touching, corner);
@@ -192,14 +192,14 @@ DiscString::Step DiscString::test(std::size_t i) {
 /// farther.
 DiscString::Step DiscString::replace_hidden(std::size_t i, HalfEdge wall) {
   const Stop& before = stops_[i - 1];
-  const int turn = stops_[i].end.contact.turn;
+  const int turn = stops_[i].end.pivot.turn;
   const mesh::Vertex hidden = stops_[i].end.vertex;
   std::optional<Stop> farthest;
   Point direction;
   for (const HalfEdge corner : {wall, map_->mesh().twin(wall)}) {
     const Stop stop = stop_at(corner, turn);
     if (stop.end.vertex == hidden || stop.end.vertex == before.end.vertex) continue;
-    const auto line = tangent(before.end.contact, stop.end.contact, map_->radius);
+    const auto line = tangent(before.end.pivot, stop.end.pivot, map_->radius);
     if (!line) continue;
     if (farthest && turn * cross(direction, line->direction) > 0.0) continue;
     farthest = stop;
@@ -239,19 +239,19 @@ DiscString::Step DiscString::insert(std::size_t i, const Stop& stop) {
 DiscString::Step DiscString::test_arc(std::size_t i) {
   const Stop& stop = stops_[i];
   const Point& arrival = stops_[i - 1].line.direction;
-  const Contact& contact = stop.end.contact;
+  const Pivot& pivot = stop.end.pivot;
   const auto ignore = [](HalfEdge, HalfEdge, double) {};
-  const TurnLimit limit = turn_around(*map_, contact, arrival, stop.corner, ignore);
-  if (!is_beyond(limit, contact, arrival, stop.line.direction)) return Step::forward;
+  const TurnLimit limit = turn_around(*map_, pivot, arrival, stop.corner, ignore);
+  if (!is_beyond(limit, pivot, arrival, stop.line.direction)) return Step::forward;
   if (limit.corner == mesh::kNoHalfEdge) return Step::failed;
-  return insert(i + 1, stop_at(limit.corner, contact.turn));
+  return insert(i + 1, stop_at(limit.corner, pivot.turn));
 }
 
 double DiscString::length() const {
   double length = 0.0;
   for (std::size_t i = 0; i + 1 < stops_.size(); ++i) {
     const Stop& stop = stops_[i];
-    if (i > 0) length += arc_length(stop.end.contact, stops_[i - 1].line.direction, stop.line.direction, map_->radius);
+    if (i > 0) length += arc_length(stop.end.pivot, stops_[i - 1].line.direction, stop.line.direction, map_->radius);
     length += stop.line.length;
   }
   return length;
@@ -259,7 +259,7 @@ double DiscString::length() const {
 
 void DiscString::write_path(std::vector<DiscPiece>& pieces) {
   path_.clear();
-  for (const Stop& stop : stops_) path_.push_back({stop.end.contact, stop.line.direction});
+  for (const Stop& stop : stops_) path_.push_back({stop.end.pivot, stop.line.direction});
   path_.pop_back();
   write_disc_pieces(*map_, path_, goal_, pieces);
 }

@@ -33,7 +33,7 @@ class DiscString {
   void write_path(std::vector<DiscPiece>& pieces);
 
  private:
-  /// A contact of the string, or one of its ends.
+  /// A pivot of the string, or one of its ends.
   struct Stop {
     DiscLine::End end;
     mesh::HalfEdge corner;  ///< starts at the vertex; kNoHalfEdge at the start and at the goal
@@ -50,9 +50,9 @@ class DiscString {
   void move(mesh::HalfEdge corner, int turn);
   void end_at_goal();
   [[nodiscard]] bool turns(std::size_t before, const Bend& at, const Bend& after, int turn);
-  [[nodiscard]] bool is_across(const Contact& end, const Contact& other);
-  /// The contact at the apex of the funnel.
-  [[nodiscard]] Contact apex() const { return {row_[apex_].centre, apex_turn_}; }
+  [[nodiscard]] bool is_across(const Pivot& end, const Pivot& other);
+  /// The pivot at the apex of the funnel.
+  [[nodiscard]] Pivot apex() const { return {row_[apex_].centre, apex_turn_}; }
   void move_apex(std::size_t to, int turn);
   void add_apex();
   [[nodiscard]] Bend bend_at(mesh::HalfEdge corner) const;

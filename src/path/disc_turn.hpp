@@ -19,12 +19,12 @@ struct TurnLimit {
 /// If the order of a direction exceeds a limit by more than this, the path cannot turn so far. Allows for rounding.
 inline constexpr double kTurnsBack = 0x1p-23;
 
-/// Returns whether a direction lies beyond the limit of a turn: then a path that arrives at the contact in the
+/// Returns whether a direction lies beyond the limit of a turn: then a path that arrives at the pivot in the
 /// direction `arrival` cannot leave it in the direction `departure`.
-[[nodiscard]] inline bool is_beyond(const TurnLimit& limit, const Contact& contact, const Point& arrival,
+[[nodiscard]] inline bool is_beyond(const TurnLimit& limit, const Pivot& pivot, const Point& arrival,
                                     const Point& departure) {
-  const double order = turning_order(arrival, departure, contact.turn);
-  return contact.turn != kNoTurn && order > limit.order + kTurnsBack && order < 4.0 - kTurnsBack;
+  const double order = turning_order(arrival, departure, pivot.turn);
+  return pivot.turn != kNoTurn && order > limit.order + kTurnsBack && order < 4.0 - kTurnsBack;
 }
 
 /// Returns the corner at the same vertex that contains a direction. Looks at `corner` first, and then at the other
@@ -32,20 +32,20 @@ inline constexpr double kTurnsBack = 0x1p-23;
 [[nodiscard]] mesh::HalfEdge corner_towards(const DiscMap& map, mesh::HalfEdge corner, const Point& direction,
                                             int turn);
 
-/// Visits the corners of faces around the vertex of a contact, one after the other, in the direction of the turn: up to
+/// Visits the corners of faces around the vertex of a pivot, one after the other, in the direction of the turn: up to
 /// a wall or a gap that is too narrow, or until the path has turned by 180 degrees. Calls visit(corner, spoke, order)
 /// for each corner: the turn leaves the corner across the edge `spoke`, whose direction has the order `order`. Returns
-/// how far the path can turn. `arrival` is the direction in which the path reaches the contact, and `corner` is the
+/// how far the path can turn. `arrival` is the direction in which the path reaches the pivot, and `corner` is the
 /// corner that contains the position of the disc at this time.
 ///
 /// The *order* of a direction is a number that says how far the path has turned when it has this direction: 0 for the
 /// direction of arrival, 1 after 90 degrees, and 2 after 180 degrees. The direction from the vertex to the position of
 /// arrival has the order -1.
 template <class Visit>
-[[nodiscard]] TurnLimit turn_around(const DiscMap& map, const Contact& contact, const Point& arrival,
-                                    mesh::HalfEdge corner, Visit&& visit) {
+[[nodiscard]] TurnLimit turn_around(const DiscMap& map, const Pivot& pivot, const Point& arrival, mesh::HalfEdge corner,
+                                    Visit&& visit) {
   const mesh::TriangleMesh& mesh = map.mesh();
-  const int turn = contact.turn;
+  const int turn = pivot.turn;
   double order = -1.0;
   mesh::HalfEdge at = corner;
   do {
@@ -53,12 +53,12 @@ template <class Visit>
     const mesh::HalfEdge spoke = turn == kTurnLeft ? mesh.next_around(at) : at;
     // The orders of the spokes grow. If the first spoke points to the position of arrival, its order is -1, but
     // rounding may make it a little smaller.
-    const double end_order = turning_order(arrival, map.position(mesh.target(spoke)) - contact.centre, turn);
+    const double end_order = turning_order(arrival, map.position(mesh.target(spoke)) - pivot.centre, turn);
     order = end_order - 4.0 >= order - kTurnsBack ? std::max(order, end_order - 4.0) : end_order;
     visit(at, spoke, order);
     if (const auto foot = map.narrow_bridge_foot(at)) {
       // A foot bridge does not limit the turn if its foot lies before the direction of arrival.
-      const double foot_order = turning_order(arrival, *foot - contact.centre, turn);
+      const double foot_order = turning_order(arrival, *foot - pivot.centre, turn);
       const double reach = (foot_order > order ? foot_order - 4.0 : foot_order) + 1.0;
       if (reach >= 0.0) return {reach, mesh::kNoHalfEdge};
     }

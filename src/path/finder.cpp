@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "path/clear.hpp"
+#include "path/reset.hpp"
 #include "path/saturating_add.hpp"
 
 namespace waywright::path {
@@ -27,7 +27,7 @@ void Finder::begin(const Triangulation& triangulation, const nav::Abstraction* a
   looked_at_ = looked_at;
   query_ = query;
   if (query.wants_time || has_time_limit()) start_time_ = Clock::now();
-  clear(path);
+  reset(path);
   ends_.set_start(triangulation, abstraction, query.start, query.end_tolerance);
   const std::optional<PathStatus> known = ends_.find_status_without_search(query.goal);
   ends_.write_ends(known.value_or(PathStatus::no_path), path);
@@ -149,7 +149,7 @@ void Finder::find_all(const Triangulation& triangulation, const nav::Abstraction
   ends_.set_start(triangulation, abstraction, query.start, query.end_tolerance);
   ends_.move_blocked_start();
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    clear(paths[i]);
+    reset(paths[i]);
     const std::optional<PathStatus> known = ends_.find_status_without_search(query.goals[i]);
     ends_.write_ends(known.value_or(PathStatus::no_path), paths[i]);
     if (known) {

@@ -25,7 +25,7 @@ namespace waywright::path {
 
 /// The result of find_turn().
 template <class Strings>
-struct Turn {
+struct LastTurn {
   typename Strings::Node node;  ///< the node at which the new string leaves the old strings
   typename Strings::Node apex;  ///< the apex of the new funnel
 };
@@ -51,7 +51,7 @@ template <exact::Sign kString, class Strings>
 ///      /       . '
 ///   apex --- other --- other end
 template <exact::Sign kString, class Strings>
-[[nodiscard]] inline Turn<Strings> find_turn(Strings strings, const exact::Geometry::View& v) {
+[[nodiscard]] inline LastTurn<Strings> find_turn(Strings strings, const exact::Geometry::View& v) {
   for (typename Strings::Node node = strings.template end<kString>(); node != strings.apex();) {
     const typename Strings::Node before = strings.template before<kString>(node);
     if (strings.orientation(before, node, v) == kString) return {node, strings.apex()};

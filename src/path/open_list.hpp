@@ -50,7 +50,7 @@ class OpenList {
     return p.bound < q.bound || (p.bound == q.bound && p.node < q.node);
   }
 
-  /// Puts `entry` into the heap, whose first position is free, and moves smaller entries up.
+  /// Puts `entry` into the heap, whose first entry is free, and moves smaller entries up.
   void sink(const Entry& entry) {
     const std::size_t count = entries_.size();
     std::size_t at = 0;

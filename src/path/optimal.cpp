@@ -23,7 +23,7 @@ constexpr int kFacesBetweenBounds = 8;
 void Optimal::begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Start& start,
                     bool wants_channel, LookedAt* looked_at) {
   start_ = start;
-  labels_ = nullptr;
+  distances_ = nullptr;
   looked_at_ = looked_at;
   windows_ = nullptr;
   core_ = abstraction == nullptr ? nullptr : &abstraction->core();
@@ -191,7 +191,7 @@ void Optimal::follow(Node node) {
 }
 
 // Not inline: most functions of the search contain a call of this function, but only a guide makes the call.
-bool Optimal::can_guide_cross(mesh::HalfEdge h) const { return labels_->can_cross(h); }
+bool Optimal::can_guide_cross(mesh::HalfEdge h) const { return distances_->can_cross(h); }
 
 //        apex            The window has entered the face across `entry`, from below. Seen by the window, the left end
 //       /    \           of `entry` is its origin. If the apex lies outside the cone, the window continues across one
@@ -203,7 +203,7 @@ void Optimal::follow_window_as(Node window) {
     ++expansions_;
     const mesh::Face f = mesh::face(window.entry);
     if constexpr (kIsGuide) {
-      labels_->cross(window.entry);
+      distances_->cross(window.entry);
     } else {
       enter(f, window);
     }
@@ -297,7 +297,7 @@ void Optimal::end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace
   at.length = length;
   at.root = root;
   at.trace = trace;
-  if (labels_ != nullptr) {
+  if (distances_ != nullptr) {
     if (longest_ == kInfinity) end_ = length;
     return;
   }
@@ -439,7 +439,7 @@ void Optimal::make_turn(const Node& turn) {
     const mesh::HalfEdge entry = mesh_->twin(exit);
     Node beyond{Kind::window, false, entry, root, root, mesh_->origin(entry), mesh_->target(entry), kNone};
     enter(mesh::face(h), beyond);
-    if (labels_ != nullptr) labels_->cross(h);
+    if (distances_ != nullptr) distances_->cross(h);
     see(mesh_->apex(h), root);
     for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
     if (is_excluded(exit)) continue;
@@ -491,7 +491,7 @@ void Optimal::write_path(std::size_t goal, bool wants_points, Path& path) const 
 
 void Optimal::write_channel(std::size_t goal, Path& path) const {
   path.channel.clear();
-  for_each_crossing(goal, [&](mesh::HalfEdge entry) {
+  for_each_portal(goal, [&](mesh::HalfEdge entry) {
     path.channel.push_back({position_of(mesh_->origin(entry)), position_of(mesh_->target(entry))});
   });
   std::reverse(path.channel.begin(), path.channel.end());

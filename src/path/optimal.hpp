@@ -15,7 +15,7 @@
 #include "nav/abstraction.hpp"
 #include "nav/point_agent.hpp"
 #include "path/ends.hpp"
-#include "path/guide_labels.hpp"
+#include "path/guide_distances.hpp"
 #include "path/looked_at.hpp"
 #include "path/open_list.hpp"
 
@@ -60,10 +60,10 @@ class Optimal {
   /// not change before start().
   void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Start& start,
              bool wants_channel, LookedAt* looked_at = nullptr);
-  /// Call this after begin(): the search becomes a guide. It crosses only edges for which labels.can_cross() is true,
-  /// and it records in `labels` what it sees. A guide has one goal. When step() has found the shortest path, it returns
-  /// true, but continue_to() can continue the search.
-  void guide(GuideLabels& labels) { labels_ = &labels; }
+  /// Call this after begin(): the search becomes a guide. It crosses only edges for which distances.can_cross() is
+  /// true, and it records in `distances` what it sees. A guide has one goal. When step() has found the shortest path,
+  /// it returns true, but continue_to() can continue the search.
+  void guide(GuideDistances& distances) { distances_ = &distances; }
   /// Makes the next calls of step() follow all windows of a guide whose bound is below `limit`.
   void continue_to(double limit) { longest_ = end_ = limit; }
   /// Call this after begin(): the search then appends each window that it follows to `windows`: one or more for each
@@ -96,7 +96,7 @@ class Optimal {
   /// Calls visit(h) for each edge that the path to the goal crosses, from the goal back to the start. `h` is a
   /// half-edge of the face that the path enters. Requires: as write_channel().
   template <class Visit>
-  void for_each_crossing(std::size_t goal, Visit&& visit) const {
+  void for_each_portal(std::size_t goal, Visit&& visit) const {
     for (std::uint32_t at = goals_[goal].trace; at != kNone; at = traces_[at].before) visit(traces_[at].entry);
   }
 
@@ -196,14 +196,14 @@ class Optimal {
   void enter(mesh::Face f, const Node& window) {
     if (looked_at_ != nullptr) record(f, window);
   }
-  /// Tells the labels of a guide that the root sees the vertex.
+  /// Tells the distances of a guide that the root sees the vertex.
   void see(mesh::Vertex v, std::uint32_t root) const {
-    if (labels_ != nullptr) labels_->see(v, roots_[root].length + distance(roots_[root].point, position_of(v)));
+    if (distances_ != nullptr) distances_->see(v, roots_[root].length + distance(roots_[root].point, position_of(v)));
   }
   void record(mesh::Face f, const Node& window);
   void follow(Node node);
   void follow_window(const Node& window) {
-    return labels_ == nullptr ? follow_window_as<false>(window) : follow_window_as<true>(window);
+    return distances_ == nullptr ? follow_window_as<false>(window) : follow_window_as<true>(window);
   }
   template <bool kIsGuide>
   void follow_window_as(Node window);
@@ -239,19 +239,19 @@ class Optimal {
   void update_longest();
 
   /// Returns whether no path leaves the face `f` through its half-edge `exit`: the agent cannot cross it, or it
-  /// leads to no goal face. A guide has no core, so it asks its labels.
+  /// leads to no goal face. A guide has no core, so it asks its distances.
   template <bool kIsGuide>
   [[nodiscard]] bool is_excluded(mesh::Face f, mesh::HalfEdge exit) const {
-    if constexpr (kIsGuide) return !labels_->can_cross(exit);
+    if constexpr (kIsGuide) return !distances_->can_cross(exit);
     if (core_ == nullptr) return !nav::PointAgent::can_cross(*mesh_, exit);
     return !core_->is_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || leads_to_no_goal(exit));
   }
   [[nodiscard]] bool is_excluded(mesh::HalfEdge exit) const {
-    return labels_ == nullptr ? is_excluded<false>(mesh::face(exit), exit) : !can_guide_cross(exit);
+    return distances_ == nullptr ? is_excluded<false>(mesh::face(exit), exit) : !can_guide_cross(exit);
   }
   /// Returns whether the agent can cross an edge.
   [[nodiscard]] bool can_cross(mesh::HalfEdge h) const {
-    return labels_ == nullptr ? nav::PointAgent::can_cross(*mesh_, h) : can_guide_cross(h);
+    return distances_ == nullptr ? nav::PointAgent::can_cross(*mesh_, h) : can_guide_cross(h);
   }
   [[nodiscard]] bool can_guide_cross(mesh::HalfEdge h) const;
   [[nodiscard]] bool leads_to_no_goal(mesh::HalfEdge exit) const;
@@ -275,7 +275,7 @@ class Optimal {
   const mesh::TriangleMesh* mesh_ = nullptr;
   const Geometry* geometry_ = nullptr;
   bool wants_channel_ = false;
-  GuideLabels* labels_ = nullptr;                 ///< of a guide; otherwise null
+  GuideDistances* distances_ = nullptr;           ///< of a guide; otherwise null
   LookedAt* looked_at_ = nullptr;                 ///< or null
   std::vector<SearchWindow>* windows_ = nullptr;  ///< or null; null if `looked_at_` is null
 

@@ -123,8 +123,8 @@ void PolylineWalk::collect_crossings_at(const Point& point) {
 /// Walks from all states straight to `target`, and adds the states there to `arrived_`.
 void PolylineWalk::walk_piece(const View& target) {
   for (const State& start : states_) {
-    line_ = {start.location, target};
-    const auto order = geometry().order(start.location, target);
+    line_ = {start.position, target};
+    const auto order = geometry().order(start.position, target);
     if (order == 0) {
       add_arrived(start);
       continue;
@@ -263,7 +263,7 @@ void PolylineWalk::arrive(LocatedKind kind, HalfEdge h) { add_arrived({kind, h, 
 
 void PolylineWalk::add_arrived(const State& state) {
   const auto is_same = [&](const State& other) {
-    return other.h == state.h && other.kind == state.kind && other.location.vertex == state.location.vertex;
+    return other.h == state.h && other.kind == state.kind && other.position.vertex == state.position.vertex;
   };
   if (std::none_of(arrived_.begin(), arrived_.end(), is_same)) arrived_.push_back(state);
 }
@@ -276,9 +276,9 @@ void PolylineWalk::reach_vertex(HalfEdge outgoing) {
   const auto recent = wedges_.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(wedges_.size(), 4));
   if (std::find(recent, wedges_.end(), wedge) != wedges_.end()) return;
   wedges_.push_back(wedge);
-  const View location = view(mesh_->origin(outgoing));
-  if (geometry().order(location, line_.to) == 0) return arrive(LocatedKind::vertex, wedge);
-  waiting_.push_back({LocatedKind::vertex, wedge, location});
+  const View position = view(mesh_->origin(outgoing));
+  if (geometry().order(position, line_.to) == 0) return arrive(LocatedKind::vertex, wedge);
+  waiting_.push_back({LocatedKind::vertex, wedge, position});
 }
 
 /// Returns the name of the wedge between walls that contains the face of `outgoing`: the first half-edge of the wedge,

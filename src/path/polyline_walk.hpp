@@ -61,7 +61,7 @@ class PolylineWalk {
   struct State {
     locate::LocatedKind kind;
     mesh::HalfEdge h;
-    View location;
+    View position;
   };
 
   [[nodiscard]] const exact::Geometry& geometry() const { return triangulation_->triangulation().geometry(); }

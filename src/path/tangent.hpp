@@ -22,15 +22,15 @@ inline constexpr int kNoTurn = 0;
 
 /// A circle that a path touches. If the path turns left around it, the circle's centre is on the left of the path. If a
 /// path starts or ends at a point, the point counts as a circle of radius 0, and its `turn` is kNoTurn.
-struct Contact {
+struct Pivot {
   Point centre;
   int turn = kNoTurn;  ///< kTurnLeft, kTurnRight or kNoTurn
 };
 
-/// A straight line in a direction (a vector of length 1) that touches two contacts.
+/// A straight line in a direction (a vector of length 1) that touches two pivots.
 struct Tangent {
   Point direction;
-  double length = 0.0;  ///< between the touching points on the two contacts
+  double length = 0.0;  ///< between the touching positions on the two pivots
 };
 
 [[nodiscard]] inline Point left_of(const Point& direction) { return {-direction.y, direction.x}; }
@@ -63,7 +63,7 @@ inline constexpr double kLeastSquare = -0x1p-40;
 
 /// Returns the line that touches `from` and then `to`. Returns nothing if there is none: the circles overlap, and the
 /// line would have to pass between them.
-[[nodiscard]] inline std::optional<Tangent> tangent(const Contact& from, const Contact& to, double radius) {
+[[nodiscard]] inline std::optional<Tangent> tangent(const Pivot& from, const Pivot& to, double radius) {
   const Point between = to.centre - from.centre;
   const double squared = squared_length(between);
   const double across = (to.turn - from.turn) * radius;
@@ -74,10 +74,10 @@ inline constexpr double kLeastSquare = -0x1p-40;
       {(along * between.x + across * between.y) / squared, (along * between.y - across * between.x) / squared}, along};
 }
 
-/// Returns the position at which a path in this direction touches a contact.
-[[nodiscard]] inline Point touching_point(const Contact& contact, const Point& direction, double radius) {
-  const double distance = contact.turn * radius;
-  return {contact.centre.x + distance * direction.y, contact.centre.y - distance * direction.x};
+/// Returns the position at which a path in this direction touches a pivot.
+[[nodiscard]] inline Point touching_position(const Pivot& pivot, const Point& direction, double radius) {
+  const double distance = pivot.turn * radius;
+  return {pivot.centre.x + distance * direction.y, pivot.centre.y - distance * direction.x};
 }
 
 /// Returns the arc tangent of `ratio`, which is 0 to 1: halves the angle three times, then sums the power series.

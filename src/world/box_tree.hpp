@@ -15,11 +15,11 @@ namespace waywright {
 
 /// A set of boxes, each with a value. The set finds its boxes that overlap a given box.
 ///
-/// The set is a loose quadtree over a domain. Each node has a cell, and contains boxes whose centres lie in this
-/// cell. A box belongs to the deepest possible node whose cell is at least as wide and as high as the box. A node knows
-/// the bounding box of all boxes below it, which is at most twice as large as its cell. So a search visits few nodes in
-/// which no box overlaps the given box. Boxes may reach beyond the domain. Each node stores its boxes and their values
-/// one after the other, because a search may visit thousands of them.
+/// The set is a loose quadtree over a domain. Each node has a square, and contains boxes whose centres lie in this
+/// square. A box belongs to the deepest possible node whose square is at least as wide and as high as the box. A node
+/// knows the bounding box of all boxes below it, which is at most twice as large as its square. So a search visits few
+/// nodes in which no box overlaps the given box. Boxes may reach beyond the domain. Each node stores its boxes and
+/// their values one after the other, because a search may visit thousands of them.
 ///
 /// Source: Ulrich, *Loose octrees*, in Game Programming Gems, 2000.
 ///
@@ -126,16 +126,16 @@ void BoxTree<Bucket>::descend(const Box& box, Descent& descent) {
   if (nodes_.empty()) static_cast<void>(make_node(kNone));
   std::uint32_t node = 0;
   descent.go_to(node);
-  Box cell = domain_;
+  Box square = domain_;
   const Point centre = 0.5 * (box.min + box.max);
   for (std::size_t depth = 0; depth < kDeepest; ++depth) {
-    const Point half = 0.5 * (cell.max - cell.min);
+    const Point half = 0.5 * (square.max - square.min);
     if (!(box.max.x - box.min.x <= half.x && box.max.y - box.min.y <= half.y)) break;
-    const Point middle = cell.min + half;
+    const Point middle = square.min + half;
     const bool is_right = centre.x > middle.x;
     const bool is_upper = centre.y > middle.y;
-    (is_right ? cell.min.x : cell.max.x) = middle.x;
-    (is_upper ? cell.min.y : cell.max.y) = middle.y;
+    (is_right ? square.min.x : square.max.x) = middle.x;
+    (is_upper ? square.min.y : square.max.y) = middle.y;
     const std::size_t quadrant = (is_right ? 1U : 0U) + (is_upper ? 2U : 0U);
     if (nodes_[node].children[quadrant] == kNone) {
       const std::uint32_t child = make_node(node);

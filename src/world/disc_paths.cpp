@@ -10,9 +10,9 @@
 
 #include "waywright/world.hpp"
 
-#include "path/clear.hpp"
 #include "path/ends.hpp"
 #include "path/pieces.hpp"
+#include "path/reset.hpp"
 #include "path/saturating_add.hpp"
 #include "path/tangent.hpp"
 #include "world/query_scratch.hpp"
@@ -79,7 +79,7 @@ bool is_surely_blocked(const constraint::ExactTriangulation& triangulation, cons
 bool find_straight(detail::DiscSearch& disc) {
   const path::DiscLine::End from{{disc.ends.start(), 0}, mesh::kNoVertex};
   const path::DiscLine::End to{{disc.ends.goal(), 0}, mesh::kNoVertex};
-  const auto line = path::tangent(from.contact, to.contact, disc.map->radius);
+  const auto line = path::tangent(from.pivot, to.pivot, disc.map->radius);
   if (!line || !disc.line.is_clear(*disc.map, from, to, *line, disc.ends.goal_face())) return false;
   disc.length = line->length;
   disc.pieces.assign({{disc.start, disc.goal, {}, 0, line->direction, {}}});
@@ -104,13 +104,13 @@ bool find_string(detail::DiscSearch& disc, std::span<const mesh::HalfEdge> exits
   return true;
 }
 
-void begin_shortest(detail::DiscSearch& disc, const path::GuideLabels* labels) {
+void begin_shortest(detail::DiscSearch& disc, const path::GuideDistances* distances) {
   disc.stage = Stage::shortest;
-  disc.shortest.begin(*disc.map, disc.ends, disc.length, labels);
+  disc.shortest.begin(*disc.map, disc.ends, disc.length, distances);
 }
 
-void begin_labels(detail::DiscSearch& disc) {
-  disc.stage = Stage::labels;
+void begin_distances(detail::DiscSearch& disc) {
+  disc.stage = Stage::distances;
   disc.guide.continue_to(disc.length);
 }
 
@@ -122,7 +122,7 @@ void step_guide(detail::DiscSearch& disc, std::size_t limit, Path& path) {
     return;
   }
   const std::span<const mesh::HalfEdge> exits = disc.guide.collect_exits();
-  if (find_string(disc, exits, disc.map->mesh().twin(exits.back()))) return begin_labels(disc);
+  if (find_string(disc, exits, disc.map->mesh().twin(exits.back()))) return begin_distances(disc);
   disc.stage = Stage::channel;
   disc.channel.begin(*disc.map, disc.ends);
 }
@@ -143,7 +143,7 @@ void step_channel(detail::DiscSearch& disc, std::size_t limit, Path& path) {
     }
     if (disc.has_guide) begin_guide(disc);
   }
-  if (has_string && disc.has_guide) return begin_labels(disc);
+  if (has_string && disc.has_guide) return begin_distances(disc);
   begin_shortest(disc, nullptr);
 }
 
@@ -156,10 +156,10 @@ bool ends_by_budget(detail::DiscSearch& disc, std::size_t& limit, const Path& pa
   return disc.outcome == Outcome::found;
 }
 
-/// Continues the stage `labels`.
-void step_labels(detail::DiscSearch& disc, std::size_t limit, Path& path) {
+/// Continues the stage `distances`.
+void step_distances(detail::DiscSearch& disc, std::size_t limit, Path& path) {
   if (ends_by_budget(disc, limit, path) || !disc.guide.step(limit, path.expansions)) return;
-  begin_shortest(disc, &disc.guide.labels());
+  begin_shortest(disc, &disc.guide.distances());
 }
 
 /// Continues the stage `shortest`, until the search or its budget ends or `path.expansions` reaches `limit`. If the
@@ -188,8 +188,8 @@ bool step(detail::DiscSearch& disc, std::size_t limit, Path& path) {
       case Stage::channel:
         step_channel(disc, limit, path);
         break;
-      case Stage::labels:
-        step_labels(disc, limit, path);
+      case Stage::distances:
+        step_distances(disc, limit, path);
         break;
       case Stage::shortest:
         step_shortest(disc, limit, path);
@@ -275,7 +275,7 @@ void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch
 }
 
 bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
-  path::clear(path);
+  path::reset(path);
   path.radius = query.radius;
   detail::DiscSearch& disc = scratch.disc_search;
   disc.outcome = Outcome::none;

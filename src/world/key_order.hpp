@@ -12,7 +12,7 @@ namespace waywright {
 /// The keys of slots in ascending order. So it lists the keys of a set of slots in ascending order without sorting
 /// them.
 ///
-/// Each key has a *rank*: its index in an array of all keys. The first keys of the array ascend. New keys follow in any
+/// Each key has an *index* in an array of all keys. The first keys of the array ascend. New keys follow in any
 /// order, and the class sorts them into the array when they are many.
 class KeyOrder {
  public:
@@ -29,8 +29,8 @@ class KeyOrder {
   void clear_marks() { std::fill(marks_.begin(), marks_.end(), 0); }
   /// Marks a slot that has a key.
   void mark(std::uint32_t slot) {
-    const std::uint32_t rank = ranks_[slot];
-    marks_[rank / kBits] |= std::uint64_t{1} << rank % kBits;
+    const std::uint32_t index = indices_[slot];
+    marks_[index / kBits] |= std::uint64_t{1} << index % kBits;
   }
   /// Fills `keys` with the keys of the marked slots, ascending. Afterwards no slot is marked. Allocates nothing if
   /// `keys` has room for its result. Cost: linear in the result, plus n log n for new keys in it, plus a step for 64
@@ -47,7 +47,7 @@ class KeyOrder {
   static constexpr std::uint32_t kBits = 64;
   static constexpr std::uint32_t kNone = 0xffffffff;
 
-  struct Ranked {
+  struct Entry {
     std::uint64_t key;
     std::uint32_t slot;
   };
@@ -56,14 +56,14 @@ class KeyOrder {
   /// for each new or removed key.
   void sort_new();
 
-  std::vector<std::uint64_t> keys_;   ///< by rank
-  std::vector<std::uint32_t> slots_;  ///< by rank; kNone if the key was removed
-  std::vector<std::uint32_t> ranks_;  ///< by slot
-  std::vector<std::uint64_t> marks_;  ///< a bit for each rank
-  std::size_t ascending_ = 0;         ///< the number of keys at the start of `keys_` that are known to ascend
-  std::size_t removed_ = 0;           ///< the number of removed keys in `keys_`
-  std::vector<std::uint64_t> new_;    ///< scratch, with room for all keys
-  std::vector<Ranked> ranked_;        ///< scratch
+  std::vector<std::uint64_t> keys_;     ///< by index
+  std::vector<std::uint32_t> slots_;    ///< by index; kNone if the key was removed
+  std::vector<std::uint32_t> indices_;  ///< by slot
+  std::vector<std::uint64_t> marks_;    ///< a bit for each index
+  std::size_t ascending_ = 0;           ///< the number of keys at the start of `keys_` that are known to ascend
+  std::size_t removed_ = 0;             ///< the number of removed keys in `keys_`
+  std::vector<std::uint64_t> new_;      ///< scratch, with room for all keys
+  std::vector<Entry> entries_;          ///< scratch
 };
 
 inline void KeyOrder::make_room(std::uint32_t slot) {
@@ -75,24 +75,24 @@ inline void KeyOrder::make_room(std::uint32_t slot) {
     new_.reserve(words * kBits);
     marks_.resize(words);
   }
-  if (ranks_.size() <= slot) ranks_.resize(std::max<std::size_t>(slot + 1, ranks_.capacity()));
+  if (indices_.size() <= slot) indices_.resize(std::max<std::size_t>(slot + 1, indices_.capacity()));
 }
 
 inline void KeyOrder::add(std::uint32_t slot, std::uint64_t key) {
   const bool ascends = ascending_ == keys_.size() && (keys_.empty() || keys_.back() < key);
-  ranks_[slot] = static_cast<std::uint32_t>(keys_.size());
+  indices_[slot] = static_cast<std::uint32_t>(keys_.size());
   keys_.push_back(key);
   slots_.push_back(slot);
   if (ascends) ++ascending_;
 }
 
 inline void KeyOrder::move(std::uint32_t from, std::uint32_t to) {
-  ranks_[to] = ranks_[from];
-  slots_[ranks_[to]] = to;
+  indices_[to] = indices_[from];
+  slots_[indices_[to]] = to;
 }
 
 inline void KeyOrder::remove(std::uint32_t slot) {
-  slots_[ranks_[slot]] = kNone;
+  slots_[indices_[slot]] = kNone;
   ++removed_;
 }
 
@@ -126,20 +126,20 @@ inline void KeyOrder::sort_new() {
   constexpr std::size_t kShare = 8;
   const std::size_t live = keys_.size() - removed_;
   if (keys_.size() - ascending_ + removed_ <= kFew + live / kShare) return;
-  ranked_.clear();
+  entries_.clear();
   std::size_t ascending = 0;
-  for (std::size_t rank = 0; rank < keys_.size(); ++rank) {
-    if (slots_[rank] != kNone) ranked_.push_back({keys_[rank], slots_[rank]});
-    if (rank < ascending_) ascending = ranked_.size();
+  for (std::size_t index = 0; index < keys_.size(); ++index) {
+    if (slots_[index] != kNone) entries_.push_back({keys_[index], slots_[index]});
+    if (index < ascending_) ascending = entries_.size();
   }
-  const auto middle = ranked_.begin() + static_cast<std::ptrdiff_t>(ascending);
-  const auto is_less = [](const Ranked& a, const Ranked& b) { return a.key < b.key; };
-  std::sort(middle, ranked_.end(), is_less);
-  std::inplace_merge(ranked_.begin(), middle, ranked_.end(), is_less);
+  const auto middle = entries_.begin() + static_cast<std::ptrdiff_t>(ascending);
+  const auto is_less = [](const Entry& a, const Entry& b) { return a.key < b.key; };
+  std::sort(middle, entries_.end(), is_less);
+  std::inplace_merge(entries_.begin(), middle, entries_.end(), is_less);
   keys_.clear();
   slots_.clear();
-  for (const auto& [key, slot] : ranked_) {
-    ranks_[slot] = static_cast<std::uint32_t>(keys_.size());
+  for (const auto& [key, slot] : entries_) {
+    indices_[slot] = static_cast<std::uint32_t>(keys_.size());
     keys_.push_back(key);
     slots_.push_back(slot);
   }

@@ -41,14 +41,14 @@ Sign orientation(const Point& a, const Point& b, const Point& c) {
   return exact::orientation(exact::explicit_point(a), exact::explicit_point(b), exact::explicit_point(c));
 }
 
-/// A turn of the path: its corner and its direction, which is zero if there is no turn.
+/// A turn of the path: the index of its point, and its direction, which is zero if there is no turn.
 struct Turn {
-  std::size_t corner = 0;
+  std::size_t point = 0;
   Sign direction = Sign::zero;
 };
 
 /// turn_after() returns the first turn at or after the end of a segment, turn_before() the last turn at or before its
-/// start. A corner on the line of the segment is no turn.
+/// start. A point on the line of the segment is no turn.
 Turn turn_after(const std::vector<Point>& points, std::size_t segment) {
   for (std::size_t i = segment + 2; i < points.size(); ++i) {
     const Sign direction = orientation(points[segment], points[segment + 1], points[i]);
@@ -72,7 +72,7 @@ Sign free_direction(const std::vector<Point>& points, std::size_t segment, const
   const Turn after = turn_after(points, segment);
   const bool counts_after =
       before.direction == Sign::zero ||
-      (after.direction != Sign::zero && distance(point, points[after.corner]) < distance(point, points[before.corner]));
+      (after.direction != Sign::zero && distance(point, points[after.point]) < distance(point, points[before.point]));
   const Sign turn = counts_after ? after.direction : before.direction;
   if (turn == Sign::zero) return Sign::zero;
   return turn == Sign::positive ? Sign::negative : Sign::positive;

@@ -35,13 +35,13 @@ struct DiscSearch {
   ///   is a string through its channel, the stage `channel` does not run.
   /// - `channel`: searches for a channel of the disc, and for a string through it. If there is no channel, there is no
   ///   path.
-  /// - `labels`: the guide continues, and labels everything that is not longer than the string. Without a string, this
-  ///   stage does not run.
+  /// - `distances`: the guide continues, and finds all distances that are not longer than the string. Without a
+  ///   string, this stage does not run.
   /// - `shortest`: searches for the shortest path. It leaves out everything that is longer than the string.
   ///
   /// `ta` and `tra` start with the stage `channel`. `tra` needs the stages after it only if it finds no string through
   /// its channel. `ta` also needs them if its budget is not used up.
-  enum class Stage { guide, channel, labels, shortest };
+  enum class Stage { guide, channel, distances, shortest };
   enum class Outcome { running, found, none };
 
   Point start;

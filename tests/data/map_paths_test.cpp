@@ -47,10 +47,10 @@ struct MapCase {
 
 void PrintTo(const MapCase& map, std::ostream* out) { *out << map.name; }
 
-/// The world of a map, its cells and its queries.
+/// The world of a map, its tiles and its queries.
 struct Loaded {
   World world;
-  std::vector<std::string> cells;
+  std::vector<std::string> tiles;
   std::vector<Query> queries;
 };
 
@@ -62,21 +62,21 @@ Loaded load(const std::filesystem::path& folder, const MapCase& map) {
   std::string line;
   while (std::getline(in, line) && line != "map") {
   }
-  while (std::getline(in, line)) loaded.cells.push_back(line);
+  while (std::getline(in, line)) loaded.tiles.push_back(line);
   loaded.queries =
       read_scenario(folder / "anyangle" / (std::filesystem::path(map.map).stem().string() + ".anyangle.scen"));
   return loaded;
 }
 
-/// Returns whether exactly two blocked and two free cells meet diagonally at the lattice point `p`. The scenario takes
-/// such an end to be in its own cell, at the lower right. A world takes it to be in both free cells.
-bool is_ambiguous(const std::vector<std::string>& cells, Point p) {
+/// Returns whether exactly two blocked and two free tiles meet diagonally at the lattice point `p`. The scenario takes
+/// such an end to be in its own tile, at the lower right. A world takes it to be in both free tiles.
+bool is_ambiguous(const std::vector<std::string>& tiles, Point p) {
   const auto is_free = [&](double x, double y) {
-    if (x < 0 || y < 0 || y >= static_cast<double>(cells.size())) return false;
-    const std::string& row = cells[static_cast<std::size_t>(y)];
+    if (x < 0 || y < 0 || y >= static_cast<double>(tiles.size())) return false;
+    const std::string& row = tiles[static_cast<std::size_t>(y)];
     if (x >= static_cast<double>(row.size())) return false;
-    const char cell = row[static_cast<std::size_t>(x)];
-    return cell == '.' || cell == 'G' || cell == 'S';
+    const char tile = row[static_cast<std::size_t>(x)];
+    return tile == '.' || tile == 'G' || tile == 'S';
   };
   const bool here = is_free(p.x, p.y);
   return here == is_free(p.x - 1, p.y - 1) && here != is_free(p.x - 1, p.y) && here != is_free(p.x, p.y - 1);
@@ -113,7 +113,7 @@ TEST_P(MapPaths, AreAsLongAsThoseOfOtherSolvers) {
     map.world.find_path(asked, context, path).value();
     ASSERT_EQ(path.status, PathStatus::found) << "query " << i;
     double shortest = query.shortest;
-    if (is_ambiguous(map.cells, query.start) || is_ambiguous(map.cells, query.goal)) {
+    if (is_ambiguous(map.tiles, query.start) || is_ambiguous(map.tiles, query.goal)) {
       ++ambiguous;
       std::cout << "query " << i << " has an ambiguous end: " << path.length << ", given " << query.shortest << '\n';
       EXPECT_LE(path.length, query.shortest + slack) << "query " << i;
@@ -144,7 +144,7 @@ TEST_P(MapPaths, ByTaAreTheShortestWhereProven) {
   std::size_t shortest = 0;
   for (std::size_t i = 0; i < map.queries.size(); ++i) {
     const Query& query = map.queries[i];
-    if (is_ambiguous(map.cells, query.start) || is_ambiguous(map.cells, query.goal)) continue;
+    if (is_ambiguous(map.tiles, query.start) || is_ambiguous(map.tiles, query.goal)) continue;
     PathQuery asked{query.start, query.goal};
     asked.algorithm = PathAlgorithm::ta;
     asked.budget.expansions = PathBudget::kNoLimit;

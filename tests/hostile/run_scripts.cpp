@@ -32,10 +32,11 @@ void print(const Result<Path>& path) {
 }
 
 void print_insertion(World& world, const Item& item) {
-  try {
-    std::printf(" %" PRIu64, world.insert(item.shape, item.id).value().value);
-  } catch (const BadResult& refusal) {
-    std::printf(" %s", std::string(to_string(refusal.error().code)).c_str());
+  const Result<ItemId> inserted = world.insert(item.shape, item.id);
+  if (inserted) {
+    std::printf(" %" PRIu64, inserted->value);
+  } else {
+    std::printf(" %s", std::string(to_string(inserted.error().code)).c_str());
   }
 }
 

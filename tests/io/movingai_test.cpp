@@ -112,9 +112,9 @@ TEST(ParseMovingaiMap, PartsTheRingsWhereAGroupTouchesItself) {
           {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 2}, {2, 2}, {2, 1}, {1, 1}}, {{2, 3}, {3, 3}, {3, 2}, {2, 2}}}}));
 }
 
-bool is_blocked(char cell) { return std::string_view(".GS").find(cell) == std::string_view::npos; }
+bool is_blocked(char tile) { return std::string_view(".GS").find(tile) == std::string_view::npos; }
 
-/// Returns which cells' centres lie inside an odd number of turns of the rings. Each vertical side changes the parity
+/// Returns which tiles' centres lie inside an odd number of turns of the rings. Each vertical side changes the parity
 /// of all centres to its right.
 std::vector<std::vector<bool>> covered_cells(const Rings& rings, std::size_t height, std::size_t width) {
   std::vector<std::vector<bool>> covered(height, std::vector<bool>(width + 1));
@@ -193,7 +193,7 @@ std::string fault_of(const Scene& scene, const Rows& rows) {
   for (std::size_t y = 0; y < rows.size(); ++y) {
     for (std::size_t x = 0; x < rows[y].size(); ++x) {
       if (covered[y][x] != is_blocked(rows[y][x])) {
-        return "cell " + std::to_string(x) + "," + std::to_string(y) +
+        return "tile " + std::to_string(x) + "," + std::to_string(y) +
                " is blocked outside of the rings, or free inside";
       }
     }
@@ -201,7 +201,7 @@ std::string fault_of(const Scene& scene, const Rows& rows) {
   return {};
 }
 
-/// Returns which polygon covers each cell, counted from 1, or 0 where none does. At most one polygon may cover a cell.
+/// Returns which polygon covers each tile, counted from 1, or 0 where none does. At most one polygon may cover a tile.
 std::vector<std::vector<std::size_t>> owners(const Scene& scene, const Rows& rows) {
   std::vector<std::vector<std::size_t>> owner(rows.size(), std::vector<std::size_t>(rows.front().size()));
   for (const Item& item : scene.items) {
@@ -209,7 +209,7 @@ std::vector<std::vector<std::size_t>> owners(const Scene& scene, const Rows& row
     for (std::size_t y = 0; y < rows.size(); ++y) {
       for (std::size_t x = 0; x < rows[y].size(); ++x) {
         if (!covered[y][x]) continue;
-        EXPECT_EQ(owner[y][x], 0U) << "two polygons cover cell " << x << "," << y;
+        EXPECT_EQ(owner[y][x], 0U) << "two polygons cover tile " << x << "," << y;
         owner[y][x] = item.id.value;
       }
     }
@@ -217,7 +217,7 @@ std::vector<std::vector<std::size_t>> owners(const Scene& scene, const Rows& row
   return owner;
 }
 
-/// Returns the groups of blocked cells, numbered from 1 in scan order. Replaces each number by the smallest number of
+/// Returns the groups of blocked tiles, numbered from 1 in scan order. Replaces each number by the smallest number of
 /// its neighbours until nothing changes.
 std::vector<std::vector<std::size_t>> groups_of(const Rows& rows) {
   const std::size_t width = rows.front().size();
@@ -253,9 +253,9 @@ RC_GTEST_PROP(ParseMovingaiMap, CoversTheBlockedCellsOfEachGroupByOnePolygon, ()
   const auto width = *rc::gen::inRange<std::size_t>(1, 14);
   const auto height = *rc::gen::inRange<std::size_t>(1, 14);
   const auto blocked_weight = *rc::gen::inRange<std::size_t>(1, 10);
-  const auto cell = rc::gen::weightedOneOf<char>(
+  const auto tile = rc::gen::weightedOneOf<char>(
       {{10 - blocked_weight, rc::gen::element('.', 'G', 'S')}, {blocked_weight, rc::gen::element('@', 'O', 'T', 'W')}});
-  const auto rows = *rc::gen::container<Rows>(height, rc::gen::container<std::string>(width, cell));
+  const auto rows = *rc::gen::container<Rows>(height, rc::gen::container<std::string>(width, tile));
   const Result<Scene> scene = parse_movingai_map(map_text(rows), "random.map");
   RC_ASSERT(scene.ok());
   RC_ASSERT(fault_of(*scene, rows) == "");

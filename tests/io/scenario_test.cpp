@@ -52,9 +52,9 @@ TEST(ParseScenario, SaysWhatIsWrongAndWhere) {
   expect_message(
       "version 1\n0 a.map 3 3 0 0 1 0\n",
       "2: expected 9 fields (bucket, map, width, height, start x, start y, goal x, goal y, length), found 8");
-  expect_message("version 1\n0 a.map x 3 0 0 1 0 1\n", "2: expected a whole number of cells as the width, found 'x'");
+  expect_message("version 1\n0 a.map x 3 0 0 1 0 1\n", "2: expected a whole number of tiles as the width, found 'x'");
   expect_message("version 1\n0 a.map 3 -3 0 0 1 0 1\n",
-                 "2: expected a whole number of cells as the height, found '-3'");
+                 "2: expected a whole number of tiles as the height, found '-3'");
   expect_message("version 1\n0 a.map 3 3 x 0 1 0 1\n", "2: expected a finite number as the start's x, found 'x'");
   expect_message("version 1\n0 a.map 3 3 0 1,5 1 0 1\n", "2: expected a finite number as the start's y, found '1,5'");
   expect_message("version 1\n0 a.map 3 3 0 0 nan 0 1\n", "2: expected a finite number as the goal's x, found 'nan'");

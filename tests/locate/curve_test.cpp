@@ -24,7 +24,7 @@ TEST(Curve, KeysEncodeHalvesOfHalves) {
   EXPECT_EQ(curve.key({-4, 0}), 1ULL << 61);
   EXPECT_EQ(curve.key({-8, 4}), 1ULL << 60);
   EXPECT_EQ(curve.key({4, 12}), 0xfULL << 60);
-  EXPECT_EQ(curve.key({8, 16}), ~0ULL) << "the border belongs to the last cell";
+  EXPECT_EQ(curve.key({8, 16}), ~0ULL) << "the border belongs to the last square";
   EXPECT_TRUE(Curve::is_bit_of_x(63));
   EXPECT_FALSE(Curve::is_bit_of_x(62));
 }
@@ -58,7 +58,7 @@ void expect_sorted(const Box& box, const std::vector<Point>& points, std::size_t
   }
 }
 
-// Few and many points: spread out, so close together that few bits separate them, in one cell, and repeated.
+// Few and many points: spread out, so close together that few bits separate them, in one square, and repeated.
 TEST(Curve, SortsByKeyThenByCoordinatesEachPointOnce) {
   Random random(3);
   for (const std::size_t count : {0U, 1U, 2U, 50U, 5000U}) {

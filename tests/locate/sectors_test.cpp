@@ -58,7 +58,7 @@ TEST(Sectors, QuartersRememberWhatTheirSectorDid) {
   EXPECT_EQ(near(sectors, {0.3, 0.1}), Vertex{1});
 }
 
-// All points lie in one cell of the curve of the domain, or in a few cells beside each other.
+// All points lie in one square of the curve of the domain, or in a few squares beside each other.
 TEST(Sectors, FillingDividesACrowdedCell) {
   const Box domain{{-1e15, -1e15}, {1e15, 1e15}};
   for (const double width : {1e3, 1e-12}) {

@@ -48,7 +48,7 @@ State state_of(const TriangleMesh& mesh) {
   return state;
 }
 
-/// Frees the faces around `v` and fills the hole with new faces: a fan from one corner.
+/// Frees the faces around `v` and fills the cavity with new faces: a fan from one corner.
 void remove_vertex(TriangleMesh& mesh, Vertex v) {
   std::vector<HalfEdge> outer;
   std::vector<mesh::Label> labels;
@@ -92,7 +92,7 @@ Triangles random_triangles(std::uint32_t corner_count, Random& random) {
   return triangles;
 }
 
-/// Fills the hole of a vertex with a random triangulation, unless that would create an edge that already exists.
+/// Fills the cavity of a vertex with a random triangulation, unless that would create an edge that already exists.
 void refill(TriangleMesh& mesh, Vertex v, Random& random) {
   std::vector<Vertex> link;
   std::vector<HalfEdge> sides;

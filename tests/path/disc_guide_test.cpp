@@ -75,9 +75,9 @@ mesh::Vertex vertex_at(const WallMesh& map, const Point& at) {
   return mesh::Vertex{i};
 }
 
-/// Compares the labels of a guide with shortest paths of points among the walls and the closed bridges.
-void check_labels(const NamedScene& scene, const disc::Connectivity& connectivity, const WallMesh& map,
-                  const Point& start, const Point& goal, double radius, Random& random) {
+/// Compares the distances of a guide with shortest paths of points among the walls and the closed bridges.
+void check_distances(const NamedScene& scene, const disc::Connectivity& connectivity, const WallMesh& map,
+                     const Point& start, const Point& goal, double radius, Random& random) {
   if (!connectivity.is_free(start, radius) || !connectivity.is_free(goal, radius)) return;
   const path::DiscMap disc_map(map.walls(), map.bridges(), radius, start);
   path::DiscEnds ends;
@@ -110,20 +110,20 @@ void check_labels(const NamedScene& scene, const disc::Connectivity& connectivit
     const oracle::ShortestPath rest = to_goal(touch.position);
     ASSERT_EQ(rest.status, oracle::OracleStatus::found);
     const double most = distance(touch.vertex, touch.position) + rest.length;
-    const bool is_useful = guide.labels().is_useful(v, touch.vertex);
+    const bool is_useful = guide.distances().is_useful(v, touch.vertex);
     if (most + distance(touch.vertex, start) < length + 2.0 * radius) {
       ASSERT_TRUE(is_useful);
-      ASSERT_LE(guide.labels().least_length(v, touch.vertex), most + 1e-12 * length);
+      ASSERT_LE(guide.distances().least_length(v, touch.vertex), most + 1e-12 * length);
     }
     if (is_useful) {
-      ASSERT_GE(guide.labels().least_length(v, touch.vertex), to_goal(touch.vertex).length - 1e-12 * length);
+      ASSERT_GE(guide.distances().least_length(v, touch.vertex), to_goal(touch.vertex).length - 1e-12 * length);
     }
   }
 }
 
-class GuideLabels : public testing::TestWithParam<disc::SceneKind> {};
+class GuideDistances : public testing::TestWithParam<disc::SceneKind> {};
 
-TEST_P(GuideLabels, AreTheShortestPathsOfPoints) {
+TEST_P(GuideDistances, AreTheShortestPathsOfPoints) {
   Random random(5);
   for (std::uint64_t i = 0; i < (case_count() + 19) / 20; ++i) {
     const NamedScene scene = disc::random_scene(random, GetParam());
@@ -133,14 +133,14 @@ TEST_P(GuideLabels, AreTheShortestPathsOfPoints) {
       for (const double radius : scene.radii) {
         SCOPED_TRACE("scene " + std::to_string(i) + ", " + to_string(start) + " to " + to_string(goal) + ", radius " +
                      std::to_string(radius));
-        check_labels(scene, connectivity, map, start, goal, radius, random);
+        check_distances(scene, connectivity, map, start, goal, radius, random);
         if (testing::Test::HasFatalFailure()) return;
       }
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(DiscGuide, GuideLabels, testing::ValuesIn(disc::kSceneKinds),
+INSTANTIATE_TEST_SUITE_P(DiscGuide, GuideDistances, testing::ValuesIn(disc::kSceneKinds),
                          [](const auto& kind) { return std::string(to_string(kind.param)); });
 
 }  // namespace

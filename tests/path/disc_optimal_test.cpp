@@ -73,9 +73,9 @@ class Map {
     for (std::uint32_t i = 0; i < 3 * mesh.face_slots(); ++i) {
       const mesh::HalfEdge h{i};
       if (!mesh.is_live(mesh::face(h)) || !mesh.is_fixed(h)) continue;
-      ASSERT_FALSE(guide_.labels().is_crossed(h));
+      ASSERT_FALSE(guide_.distances().is_crossed(h));
     }
-    search_.begin(map, ends_, length, &guide_.labels());
+    search_.begin(map, ends_, length, &guide_.distances());
     ASSERT_TRUE(search_.step(200000, expansions));
     ASSERT_TRUE(search_.is_found());
     ASSERT_NEAR(search_.length(), length, 1e-12 * length);
@@ -188,7 +188,7 @@ TEST(DiscPaths, TurnAtTheEndOfAWallBesideAClosedGap) {
   for (const double radius : {0.47609749713669924, 0.5}) {
     check_scene(scene_of("lattice", {{0, 0}, {12, 12}}, {{{5, 7}, {6, 5}}, {{3, 7}, {4, 7}}}, start, goal, radius));
   }
-  check_scene(scene_of("cells", {{0, 0}, {24, 24}},
+  check_scene(scene_of("tiles", {{0, 0}, {24, 24}},
                        {{{12, 13}, {13, 13}},
                         {{9, 8}, {9, 9}},
                         {{8, 8}, {9, 8}},
@@ -260,7 +260,7 @@ TEST(DiscPaths, TurnAroundAVertexInADeadEnd) {
 TEST(DiscPaths, AreFoundToGoalsOnEdges) {
   Random random(8);
   for (std::uint64_t i = 0; i < (case_count() + 1) / 2; ++i) {
-    NamedScene scene = disc::random_scene(random, i % 2 == 0 ? disc::SceneKind::lattice : disc::SceneKind::cells);
+    NamedScene scene = disc::random_scene(random, i % 2 == 0 ? disc::SceneKind::lattice : disc::SceneKind::tiles);
     const disc::Walls walls = walls_of(scene);
     Map map(scene);
     const constraint::ExactTriangulation& triangulation = map.mesh().walls();

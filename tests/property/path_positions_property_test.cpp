@@ -13,7 +13,7 @@ class PositionsOnPaths : public ::testing::TestWithParam<Obstacles> {};
 
 // Taut paths touch walls, so a rounded point of a path can lie inside a polygon.
 TEST_P(PositionsOnPaths, CanBeStartedFrom) {
-  const bool has_solids_only = GetParam() == Obstacles::boxes || GetParam() == Obstacles::cells;
+  const bool has_solids_only = GetParam() == Obstacles::boxes || GetParam() == Obstacles::tiles;
   std::size_t positions = 0;
   std::size_t moved = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {

@@ -309,7 +309,7 @@ int run_path_positions(const Settings& settings) {
   std::size_t faults = 0;
   PathPositionsReport all;
   for (const Obstacles obstacles : kObstacles) {
-    const bool has_solids_only = obstacles == Obstacles::boxes || obstacles == Obstacles::cells;
+    const bool has_solids_only = obstacles == Obstacles::boxes || obstacles == Obstacles::tiles;
     PathPositionsReport some;
     for (std::uint64_t seed = settings.seed; some.positions < settings.positions / kObstacles.size(); ++seed) {
       const PathCase path_case = random_path_case(obstacles, seed, kQueriesPerScene);
@@ -398,7 +398,7 @@ int main(int argc, char** argv) {
   app.add_option("--paths", settings.paths, "Count of scenes to find paths in, instead of scenes");
   app.add_option(
          "--flavour", settings.flavour,
-         "lattice, small, large, mantissas or mixed; of --paths also boxes, walls, polylines, cells or mixture; "
+         "lattice, small, large, mantissas or mixed; of --paths also boxes, walls, polylines, tiles or mixture; "
          "all when not given")
       ->check(CLI::Validator(
           [](const std::string& name) {

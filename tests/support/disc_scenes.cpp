@@ -231,7 +231,7 @@ class SceneMaker {
     NamedScene scene;
     scene.name = to_string(kind_);
     scene.domain = {{0, 0}, {size_, size_}};
-    const std::size_t count = 1 + random_.below(kind_ == SceneKind::cells ? 60 : 30);
+    const std::size_t count = 1 + random_.below(kind_ == SceneKind::tiles ? 60 : 30);
     while (scene.walls.segments.size() < count) add_item(kind_, scene.walls);
     scene.walls.segments.resize(count);
     const double spread = std::array<double, 3>{0.05, 0.1, 0.2}[random_.below(3)];
@@ -239,7 +239,7 @@ class SceneMaker {
     const bool is_on_grid = kind_ == SceneKind::boxes || kind_ == SceneKind::lattice;
     if (is_on_grid && random_.chance(50))
       scene.radii[random_.below(4)] = 0.5 * static_cast<double>(random_.between(1, 4));
-    if (kind_ == SceneKind::cells) scene.radii = {0.25, 0.5, 1.0, 1.5};
+    if (kind_ == SceneKind::tiles) scene.radii = {0.25, 0.5, 1.0, 1.5};
     std::sort(scene.radii.begin(), scene.radii.end());
     const Walls walls = walls_of(scene);
     while (scene.queries.size() < 4) {
@@ -253,7 +253,7 @@ class SceneMaker {
         goal = beside_end(walls, scene.radii[random_.below(4)]);
       }
     }
-    if (kind_ == SceneKind::cells) {
+    if (kind_ == SceneKind::tiles) {
       for (auto& [start, goal] : scene.queries) {
         start = centre_of_cell(start);
         goal = centre_of_cell(goal);
@@ -314,7 +314,7 @@ class SceneMaker {
         return add_item(random_.chance(70) ? SceneKind::lattice : SceneKind::segments, walls);
       case SceneKind::corridors:
         return add_to_corridor(walls);
-      case SceneKind::cells:
+      case SceneKind::tiles:
         return add_cells(walls);
       case SceneKind::mixture:
         return add_item(kSceneKinds[random_.below(kSceneKinds.size() - 1)], walls);
@@ -329,22 +329,22 @@ class SceneMaker {
     add_chain(walls, {{x, y}, {far_x, y}, {far_x, far_y}, {x, far_y}, {x, y}});
   }
 
-  /// Adds the border of a few connected cells: steps of length 1.
+  /// Adds the border of a few connected tiles: steps of length 1.
   void add_cells(Walls& walls) {
     const double last = std::min(size_, 16.0) - 1;
-    std::set<std::pair<double, double>> cells;
+    std::set<std::pair<double, double>> tiles;
     double x = whole(0, last);
     double y = whole(0, last);
     for (std::uint64_t i = 1 + random_.below(8); i > 0; --i) {
-      cells.emplace(x, y);
+      tiles.emplace(x, y);
       double& moved = random_.chance(50) ? x : y;
       moved = std::clamp(moved + (random_.chance(50) ? 1 : -1), 0.0, last);
     }
-    for (const auto& [left, low] : cells) {
-      if (!cells.contains({left - 1, low})) add_chain(walls, {{left, low}, {left, low + 1}});
-      if (!cells.contains({left + 1, low})) add_chain(walls, {{left + 1, low}, {left + 1, low + 1}});
-      if (!cells.contains({left, low - 1})) add_chain(walls, {{left, low}, {left + 1, low}});
-      if (!cells.contains({left, low + 1})) add_chain(walls, {{left, low + 1}, {left + 1, low + 1}});
+    for (const auto& [left, low] : tiles) {
+      if (!tiles.contains({left - 1, low})) add_chain(walls, {{left, low}, {left, low + 1}});
+      if (!tiles.contains({left + 1, low})) add_chain(walls, {{left + 1, low}, {left + 1, low + 1}});
+      if (!tiles.contains({left, low - 1})) add_chain(walls, {{left, low}, {left + 1, low}});
+      if (!tiles.contains({left, low + 1})) add_chain(walls, {{left, low + 1}, {left + 1, low + 1}});
     }
   }
 
@@ -451,8 +451,8 @@ std::string_view to_string(SceneKind kind) {
       return "lattice";
     case SceneKind::corridors:
       return "corridors";
-    case SceneKind::cells:
-      return "cells";
+    case SceneKind::tiles:
+      return "tiles";
     case SceneKind::touching:
       return "touching";
     case SceneKind::mixture:

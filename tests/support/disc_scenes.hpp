@@ -41,21 +41,21 @@ enum class SceneKind : std::uint8_t {
   segments,       ///< segments that cross
   polylines,      ///< chains of segments
   lattice,        ///< segments on a small lattice: many ties, T-junctions, overlaps, rectangles of four ends
-  cells,          ///< maps of cells with steps of length 1; radii 0.25, 0.5, 1 and 1.5, ends at centres of cells
+  tiles,          ///< maps of tiles with steps of length 1; radii 0.25, 0.5, 1 and 1.5, ends at centres of tiles
   corridors,      ///< long walls, most of them nearly parallel, with ends near them
   touching,       ///< segments, most of them on a lattice; at most starts and goals, the disc touches the end of a wall
   mixture,        ///< all of these
 };
 
 inline constexpr std::array kSceneKinds{SceneKind::boxes,     SceneKind::rotated_boxes, SceneKind::segments,
-                                        SceneKind::polylines, SceneKind::lattice,       SceneKind::cells,
+                                        SceneKind::polylines, SceneKind::lattice,       SceneKind::tiles,
                                         SceneKind::corridors, SceneKind::touching,      SceneKind::mixture};
 
 [[nodiscard]] std::string_view to_string(SceneKind kind);
 
-/// Returns a scene of 1 to 30 walls (60 of the kind `cells`) with four queries and four radii. The radii are random
+/// Returns a scene of 1 to 30 walls (60 of the kind `tiles`) with four queries and four radii. The radii are random
 /// doubles, with two exceptions: one radius of about half of the scenes of the kinds `boxes` and `lattice` is half a
-/// whole number, and the radii of `cells` and `touching` are fixed multiples of 1/4.
+/// whole number, and the radii of `tiles` and `touching` are fixed multiples of 1/4.
 [[nodiscard]] NamedScene random_scene(Random& random, SceneKind kind);
 
 }  // namespace waywright::test::disc

@@ -48,7 +48,7 @@ class PathSceneMaker {
         return {ItemKind::segment, {walk(2)}};
       case Obstacles::polylines:
         return polyline();
-      case Obstacles::cells:
+      case Obstacles::tiles:
         return {ItemKind::polygon, {random_.chance(15) ? pinched_cells() : run_of_cells()}};
       case Obstacles::mixture:
       case Obstacles::rounds:
@@ -129,7 +129,7 @@ class PathSceneMaker {
     return {point(x, y), point(far_x, y), point(far_x, far_y), point(x, far_y)};
   }
 
-  /// Returns two cells that touch diagonally as one ring, which visits their common corner twice. Half of the time the
+  /// Returns two tiles that touch diagonally as one ring, which visits their common corner twice. Half of the time the
   /// ring crosses itself there.
   Ring pinched_cells() {
     const std::int64_t x = random_.between(1, size_ / cell_ - 1) * cell_;
@@ -175,8 +175,8 @@ std::string_view to_string(Obstacles obstacles) {
       return "walls";
     case Obstacles::polylines:
       return "polylines";
-    case Obstacles::cells:
-      return "cells";
+    case Obstacles::tiles:
+      return "tiles";
     case Obstacles::mixture:
       return "mixture";
     case Obstacles::rounds:
@@ -197,7 +197,7 @@ PathCase random_path_case(Obstacles obstacles, std::uint64_t seed, std::size_t q
   Random random(seed * kKinds + static_cast<std::uint64_t>(obstacles));
   PathCase result{PathSceneMaker(obstacles, random).make(), {}};
   const auto size = static_cast<std::int64_t>(result.scene.domain.max.x);
-  // Sometimes multiples of a half: in the middle of cells, and not on lattice points.
+  // Sometimes multiples of a half: in the middle of tiles, and not on lattice points.
   const auto coordinate = [&] { return static_cast<double>(random.between(0, 2 * size)) / 2.0; };
   result.queries = random_queries(result.scene, query_count, random, [&] {
     const double x = coordinate();

@@ -19,13 +19,13 @@ enum class Obstacles : std::uint8_t {
   boxes,      ///< axis-parallel and rotated rectangles, and triangles, which touch and overlap
   walls,      ///< single walls, many of which touch or cross
   polylines,  ///< chains of walls, open and closed
-  cells,      ///< blocked cells of a grid: shared sides, corners that touch, rings that visit a corner twice
+  tiles,      ///< blocked tiles of a grid: shared sides, corners that touch, rings that visit a corner twice
   mixture,    ///< all of these
   rounds,     ///< convex polygons with many corners among a mixture
 };
 
 inline constexpr std::array kObstacles{Obstacles::boxes, Obstacles::walls,   Obstacles::polylines,
-                                       Obstacles::cells, Obstacles::mixture, Obstacles::rounds};
+                                       Obstacles::tiles, Obstacles::mixture, Obstacles::rounds};
 
 [[nodiscard]] std::string_view to_string(Obstacles obstacles);
 [[nodiscard]] std::optional<Obstacles> obstacles_of(std::string_view name);

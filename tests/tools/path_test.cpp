@@ -180,7 +180,7 @@ TEST(PathCommand, DrawsThePathOfADisc) {
 
 TEST(PathCommand, ReadsMovingAiMaps) {
   const TemporaryFolder folder;
-  // All cells are free except a column of two cells below the upper side. The path around it leads through (1, 2) and
+  // All tiles are free except a column of two tiles below the upper side. The path around it leads through (1, 2) and
   // (2, 2).
   const std::string map = folder.file("map.map", "type octile\nheight 3\nwidth 3\nmap\n.@.\n.T.\n...\n");
   const auto lines = json_lines(run_command(arguments(map, {"0", "0"}, {"3", "0"})).out);
@@ -212,7 +212,7 @@ TEST(ConvertCommand, WritesAScriptThatHoldsTheSameWorld) {
   const auto converted = run_command({"convert", map, script});
   EXPECT_EQ(converted.status, 0);
   EXPECT_EQ(converted.out + converted.err, "");
-  // The cell (2, 1) touches the free cell at its upper right only diagonally, and that diagonal is closed.
+  // The tile (2, 1) touches the free tile at its upper right only diagonally, and that diagonal is closed.
   const auto result = run_script(read_file(script) +
                                  "locate 1.5 1.5\nlocate 2.5 1.5\nlocate 3.5 0.5\nlocate 4.5 3.5\n"
                                  "path 2.5 1.5 3.5 0.5 0\n");

@@ -11,7 +11,7 @@
 namespace waywright::test {
 namespace {
 
-/// All cells are free except a column of two cells below the upper side. The path around it leads through (1, 2) and
+/// All tiles are free except a column of two tiles below the upper side. The path around it leads through (1, 2) and
 /// (2, 2).
 const std::string kMap = "type octile\nheight 3\nwidth 3\nmap\n.@.\n.T.\n...\n";
 
@@ -53,13 +53,13 @@ TEST(ScenarioCommand, ComparesLengthsWithThoseGiven) {
     EXPECT_EQ(number_after(result.out, "longer than given"), "1");
     EXPECT_EQ(number_after(result.out, "no path where one is given"), "1");
     EXPECT_EQ(number_after(result.out, "a path where none is given"), "1");
-    EXPECT_EQ(number_after(result.out, "an end between two cells"), "0");
+    EXPECT_EQ(number_after(result.out, "an end between two tiles"), "0");
     // The mean over the three lengths above 0: 1, 3 / 3.5 and 2 / 1.9.
     EXPECT_NEAR(std::stod(number_after(result.out, "length / given")), (1 + 3 / 3.5 + 2 / 1.9) / 3, 1e-6);
   }
 }
 
-// Two blocked cells touch at (1, 1). A path that starts there may start in either of the two free areas at this point,
+// Two blocked tiles touch at (1, 1). A path that starts there may start in either of the two free areas at this point,
 // and no short path leads from one area to the other.
 TEST(ScenarioCommand, CountsEndsBetweenTwoCells) {
   TemporaryFolder folder;
@@ -72,7 +72,7 @@ TEST(ScenarioCommand, CountsEndsBetweenTwoCells) {
                         line("2\t2\t3\t3", "1.4142135624") + line("2\t1\t3\t1", "1"));
   const auto result = run_command({"scenario", map, scenario});
   EXPECT_EQ(result.status, 0) << result.err;
-  EXPECT_EQ(number_after(result.out, "an end between two cells"), "2");
+  EXPECT_EQ(number_after(result.out, "an end between two tiles"), "2");
 }
 
 TEST(ScenarioCommand, WritesALineForEachQuery) {
@@ -89,7 +89,7 @@ TEST(ScenarioCommand, WritesALineForEachQuery) {
   EXPECT_EQ(lines[6].substr(0, 32), "6,1.5,0.5,0,1,1,start-blocked,,,");
 }
 
-// The passage below the column of two blocked cells is one cell high, so a disc of radius 0.5 fits exactly.
+// The passage below the column of two blocked tiles is one tile high, so a disc of radius 0.5 fits exactly.
 TEST(ScenarioCommand, AsksForDiscs) {
   TemporaryFolder folder;
   const std::string map = folder.file("u.map", kMap);
@@ -125,19 +125,19 @@ TEST(ScenarioCommand, AsksForDiscs) {
 TEST(ScenarioCommand, PutsDiscsAtTheCentresOfCells) {
   TemporaryFolder folder;
   const std::string map = folder.file("u.map", kMap);
-  const std::string cells = folder.file("u.map.scen", "version 1\n" + query("0\t0\t2\t0", "9"));
+  const std::string tiles = folder.file("u.map.scen", "version 1\n" + query("0\t0\t2\t0", "9"));
   const std::string csv = folder.file("u.csv");
-  const auto result = run_command({"scenario", map, cells, "--radius", "0.5", "--csv", csv});
+  const auto result = run_command({"scenario", map, tiles, "--radius", "0.5", "--csv", csv});
   EXPECT_EQ(number_after(result.out, "path found"), "1");
-  EXPECT_NE(result.out.find("centres of their cells"), std::string::npos);
+  EXPECT_NE(result.out.find("centres of their tiles"), std::string::npos);
   EXPECT_NE(read_file(csv).find("\n1,0.5,0.5,2.5,0.5,9,found,"), std::string::npos);
-  // A point starts at the corner of its cell: see ReadsMovingAiMaps.
-  EXPECT_EQ(run_command({"scenario", map, cells}).out.find("centres of their cells"), std::string::npos);
-  // The map has three columns, so 3 is no cell.
+  // A point starts at the corner of its tile: see ReadsMovingAiMaps.
+  EXPECT_EQ(run_command({"scenario", map, tiles}).out.find("centres of their tiles"), std::string::npos);
+  // The map has three columns, so 3 is no tile.
   const std::string corners = folder.file("v.map.scen", "version 1\n" + query("0\t0\t3\t0", "9"));
   const auto blocked = run_command({"scenario", map, corners, "--radius", "0.5"});
   EXPECT_EQ(number_after(blocked.out, "start blocked"), "1");
-  EXPECT_EQ(blocked.out.find("centres of their cells"), std::string::npos);
+  EXPECT_EQ(blocked.out.find("centres of their tiles"), std::string::npos);
 }
 
 TEST(ScenarioCommand, RefusesABadRadius) {
@@ -204,10 +204,10 @@ INSTANTIATE_TEST_SUITE_P(
                     "add --any-map to carry out these queries, too"},
         BadScenario{
             "version 1\n0 u.map 4 3 0 0 0 1 1\n",
-            ":2: the query is for a map of 4 x 3 cells, and u.map has 3 x 3; give that map, or add --any-map to "
+            ":2: the query is for a map of 4 x 3 tiles, and u.map has 3 x 3; give that map, or add --any-map to "
             "carry out these queries, too"},
         BadScenario{"version 1\n0 u.map 3 18446744073709551615 0 0 0 1 1\n",
-                    ":2: the query is for a map of 3 x 18446744073709551615 cells, and u.map has 3 x 3; give that map, "
+                    ":2: the query is for a map of 3 x 18446744073709551615 tiles, and u.map has 3 x 3; give that map, "
                     "or add --any-map to carry out these queries, too"}));
 
 TEST(ScenarioCommand, TakesTheNameOfItsMapFromAnyFolderAndSystem) {
@@ -228,7 +228,7 @@ TEST(ScenarioCommand, AnswersTheQueriesOfAnotherMapIfAsked) {
   EXPECT_EQ(number_after(result.out, "as given"), "1");
 }
 
-// A world script has no cells, and a map that was converted to one keeps its name.
+// A world script has no tiles, and a map that was converted to one keeps its name.
 TEST(ScenarioCommand, TakesTheMapAsAWorldScript) {
   const Files files;
   const std::string script = files.folder.file("u.wws");

@@ -45,7 +45,7 @@ TEST(SvgFile, OfAPathHasTheTitleAndTheOrientationOfTheMap) {
   EXPECT_EQ(drawn["title"], "one & two.map");
   EXPECT_EQ(drawn["mesh"], 0);
   EXPECT_EQ(drawn["groups"]["paths"], 1);
-  // The blocked cell is the topmost element: its smallest y is that of the whole map.
+  // The blocked tile is the topmost element: its smallest y is that of the whole map.
   const auto numbers = drawn["numbers"].get<std::vector<double>>();
   ASSERT_GE(numbers.size(), 8U);
   EXPECT_LT(*std::min_element(numbers.begin(), numbers.begin() + 8), 100);

@@ -79,12 +79,12 @@ constexpr const char* kScenarioExamples =
     "the time, of the number of triangles that the searches entered (expansions) and of the length. The scenario is\n"
     "a file of Moving AI, version 1. The first query has the number 1. Each query must contain the name of the map\n"
     "and, for a .map, its size. The folders and the suffix of the name may differ. The summary also counts the\n"
-    "queries with an end at which two blocked cells touch only at a corner. At such an end there are two free cells,\n"
+    "queries with an end at which two blocked tiles touch only at a corner. At such an end there are two free tiles,\n"
     "and the path in the scenario may begin in the other one.\n"
     "With --radius, the command finds paths for a disc. The lengths in a scenario are lengths for a point, so the\n"
     "command does not compare them. The summary then counts the paths, the queries without a path, and the ends at\n"
-    "which the disc does not fit. If the ends in the scenario of a .map are whole numbers, they are cells: the disc\n"
-    "starts and ends at the centres of these cells.\n";
+    "which the disc does not fit. If the ends in the scenario of a .map are whole numbers, they are tiles: the disc\n"
+    "starts and ends at the centres of these tiles.\n";
 constexpr const char* kConvertExamples =
     "Examples:\n"
     "  waywright convert arena.map arena.wws\n"

@@ -65,9 +65,9 @@ Verdict verdict_of(const ScenarioQuery& query, const Path& path) {
   return path.length < query.length ? Verdict::shorter : Verdict::longer;
 }
 
-/// Returns whether two blocked cells of a map touch only at this point. An agent at this point may count as being in
+/// Returns whether two blocked tiles of a map touch only at this point. An agent at this point may count as being in
 /// either of the two free areas there. So the length in a scenario may be the length of a path from the other area.
-bool is_between_cells(const World& world, const Point& point, QueryContext& context) {
+bool is_between_tiles(const World& world, const Point& point, QueryContext& context) {
   if (std::floor(point.x) != point.x || std::floor(point.y) != point.y) return false;
   const auto is_blocked = [&](double dx, double dy) {
     Location location;
@@ -102,28 +102,28 @@ void check_map(const ScenarioOptions& options, const Scene& scene, const std::ve
                                 query.line, query.map, title_of(options.map), kAdvice));
     }
     const Point size = scene.domain.max;
-    const bool counts_cells = scene.y_down;  // only such a map measures its size in cells
-    if (counts_cells && (static_cast<double>(query.width) != size.x || static_cast<double>(query.height) != size.y)) {
-      throw Failure(fmt::format("{}:{}: the query is for a map of {} x {} cells, and {} has {} x {}{}",
+    const bool counts_tiles = scene.y_down;  // only such a map measures its size in tiles
+    if (counts_tiles && (static_cast<double>(query.width) != size.x || static_cast<double>(query.height) != size.y)) {
+      throw Failure(fmt::format("{}:{}: the query is for a map of {} x {} tiles, and {} has {} x {}{}",
                                 options.scenario, query.line, query.width, query.height, title_of(options.map), size.x,
                                 size.y, kAdvice));
     }
   }
 }
 
-/// Returns whether the ends of the queries can be cells of the map: whole numbers below its width and height.
-bool are_cells(const Scene& scene, const std::vector<ScenarioQuery>& queries) {
-  const bool counts_cells = scene.y_down;  // only such a map has cells
-  const auto is_cell = [&](const Point& end) {
+/// Returns whether the ends of the queries can be tiles of the map: whole numbers below its width and height.
+bool are_tiles(const Scene& scene, const std::vector<ScenarioQuery>& queries) {
+  const bool counts_tiles = scene.y_down;  // only such a map has tiles
+  const auto is_tile = [&](const Point& end) {
     return std::floor(end.x) == end.x && std::floor(end.y) == end.y && end.x < scene.domain.max.x &&
            end.y < scene.domain.max.y;
   };
-  return counts_cells && std::all_of(queries.begin(), queries.end(), [&](const ScenarioQuery& query) {
-           return is_cell(query.start) && is_cell(query.goal);
+  return counts_tiles && std::all_of(queries.begin(), queries.end(), [&](const ScenarioQuery& query) {
+           return is_tile(query.start) && is_tile(query.goal);
          });
 }
 
-/// Moves each end from the first corner of its cell to the centre of the cell.
+/// Moves each end from the first corner of its tile to the centre of the tile.
 void move_to_centres(std::vector<ScenarioQuery>& queries) {
   for (ScenarioQuery& query : queries) {
     for (Point* const end : {&query.start, &query.goal}) *end = {end->x + 0.5, end->y + 0.5};
@@ -148,7 +148,7 @@ std::vector<std::size_t> chosen_queries(const ScenarioOptions& options, std::siz
 
 class ScenarioRun {
  public:
-  /// `at_centres` is true if the ends of the queries have been moved to the centres of their cells.
+  /// `at_centres` is true if the ends of the queries have been moved to the centres of their tiles.
   ScenarioRun(const ScenarioOptions& options, double radius, bool at_centres, const World& world,
               std::vector<ScenarioQuery> queries)
       : options_(options), radius_(radius), at_centres_(at_centres), world_(world), queries_(std::move(queries)) {}
@@ -162,7 +162,7 @@ class ScenarioRun {
       progress.show(answers_.size(), queries_.size());
       const std::chrono::duration<double, std::micro> time = ask(query, context, path);
       const bool is_ambiguous =
-          is_between_cells(world_, query.start, context) || is_between_cells(world_, query.goal, context);
+          is_between_tiles(world_, query.start, context) || is_between_tiles(world_, query.goal, context);
       ambiguous_count_ += is_ambiguous ? 1 : 0;
       answers_.push_back({path.status, path.length, path.expansions, time.count(), verdict_of(query, path)});
     }
@@ -210,7 +210,7 @@ class ScenarioRun {
     }
     append_percentiles(out);
     if (is_of_discs()) out += "The lengths in the scenario are for points: they are not compared.\n";
-    if (at_centres_) out += "The ends are the centres of their cells.\n";
+    if (at_centres_) out += "The ends are the centres of their tiles.\n";
     out.pop_back();
     return out;
   }
@@ -236,7 +236,7 @@ class ScenarioRun {
     line("longer than given", Verdict::longer);
     line("no path where one is given", Verdict::missing);
     line("a path where none is given", Verdict::surprising);
-    append_count(out, "an end between two cells", ambiguous_count_);
+    append_count(out, "an end between two tiles", ambiguous_count_);
   }
 
   void append_statuses(std::string& out) const {
@@ -296,7 +296,7 @@ class ScenarioRun {
   const World& world_;
   std::vector<ScenarioQuery> queries_;
   std::vector<Answer> answers_;
-  std::size_t ambiguous_count_ = 0;  ///< number of queries with an end between two cells
+  std::size_t ambiguous_count_ = 0;  ///< number of queries with an end between two tiles
 };
 
 }  // namespace
@@ -317,8 +317,8 @@ ExitStatus scenario(const ScenarioOptions& options) {
   OutputFile svg(options.svg);
   const SvgOptions picture = svg_options(options.picture, scene.domain, title_of(options.scenario), scene.y_down);
   const World world = build_world(scene, options.map, radius);
-  // At a corner of a cell beside an obstacle no disc fits. A disc of radius 0.5 fits at the centre of each free cell.
-  const bool at_centres = radius > 0.0 && are_cells(scene, queries);
+  // At a corner of a tile beside an obstacle no disc fits. A disc of radius 0.5 fits at the centre of each free tile.
+  const bool at_centres = radius > 0.0 && are_tiles(scene, queries);
   if (at_centres) move_to_centres(queries);
 
   ScenarioRun run(options, radius, at_centres, world, std::move(queries));

@@ -15,10 +15,10 @@
 
 namespace waywright::delaunay {
 
-/// Triangulates the hole that the removal of a vertex with many neighbours leaves. The border of the hole, seen from
-/// the lifted vertex, is a convex polygon. The new faces are the facets of the convex hull of the lifted border that
-/// face the vertex. So in-circle tests and the order along the border decide everything, as in a triangulation of a
-/// convex polygon.
+/// Triangulates the cavity that the removal of a vertex with many neighbours leaves. The border of the cavity, seen
+/// from the lifted vertex, is a convex polygon. The new faces are the facets of the convex hull of the lifted border
+/// that face the vertex. So in-circle tests and the order along the border decide everything, as in a triangulation of
+/// a convex polygon.
 ///
 /// The class inserts the vertices of the border in random order. Each insertion removes the triangles whose circle
 /// contains the new vertex. The first of them is known: it lies on the edge between the two neighbours of the new
@@ -26,12 +26,12 @@ namespace waywright::delaunay {
 ///
 /// Source: Chew, *Building Voronoi diagrams for convex polygons in linear expected time*, Dartmouth 1990.
 template <class Geometry>
-class LargeHole {
+class LargeCavity {
  public:
   using View = typename Geometry::View;
   using Triangle = mesh::TriangleMesh::Triangle;
 
-  /// Fills `triangles` with the triangles of the hole; each comes after the triangle on whose edge it lies, and the
+  /// Fills `triangles` with the triangles of the cavity; each comes after the triangle on whose edge it lies, and the
   /// first one lies on the base. `positions` are the positions of the border's vertices, counter-clockwise. The base
   /// runs from the last of them to the first. Requires: three or more positions.
   void triangulate(const Geometry& geometry, std::span<const View> positions, std::vector<Triangle>& triangles) {
@@ -122,7 +122,7 @@ class LargeHole {
   void insert(const Geometry& geometry, std::span<const View> positions, Index p) {
     const Index a = before_[p];
     const Index b = after_[p];
-    Index spoke = kBorder;  // of the last new triangle: its half-edge that ends at p
+    Index incoming = kBorder;  // of the last new triangle: its half-edge that ends at p
     stack_.assign(1, {b, a, outer_[a]});
     while (!stack_.empty()) {
       const Edge edge = stack_.back();
@@ -141,14 +141,14 @@ class LargeHole {
       } else {
         link(made, h);
       }
-      if (spoke == kBorder) {
+      if (incoming == kBorder) {
         outer_[p] = previous(made);
       } else {
-        link(previous(made), spoke);
+        link(previous(made), incoming);
       }
-      spoke = next(made);
+      incoming = next(made);
     }
-    outer_[a] = spoke;
+    outer_[a] = incoming;
   }
 
   /// Whether the circle of the triangle of `h` contains `p`. Seen from the removed vertex, every triangle is

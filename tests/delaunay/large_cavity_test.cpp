@@ -1,4 +1,4 @@
-#include "delaunay/large_hole.hpp"
+#include "delaunay/large_cavity.hpp"
 
 #include <algorithm>
 #include <array>
@@ -45,21 +45,21 @@ std::set<Corners> faces_of(const Triangulation& triangulation) {
   return faces;
 }
 
-/// The hole around the last of the points must get the faces of a triangulation without this point, whichever side of
-/// the hole is its base.
-void check_hole(double size, const std::vector<Point>& points) {
+/// The cavity around the last of the points must get the faces of a triangulation without this point, whichever side of
+/// the cavity is its base.
+void check_cavity(double size, const std::vector<Point>& points) {
   const Triangulation with = triangulate(size, points);
   const auto expected = faces_of(triangulate(size, std::span(points).first(points.size() - 1)));
   const mesh::TriangleMesh& mesh = with.topology();
   const mesh::Vertex v = mesh.origin(with.locate(points.back()).h);
   std::vector<mesh::Vertex> link;
   mesh.for_each_outgoing(v, [&](HalfEdge h) { link.push_back(mesh.target(h)); });
-  delaunay::LargeHole<exact::Geometry> hole;
+  delaunay::LargeCavity<exact::Geometry> cavity;
   std::vector<mesh::TriangleMesh::Triangle> triangles;
   for (std::size_t k = 0; k < link.size(); ++k) {
     std::vector<exact::Geometry::View> positions;
     for (const mesh::Vertex w : link) positions.push_back(with.view(w));
-    hole.triangulate(with.geometry(), positions, triangles);
+    cavity.triangulate(with.geometry(), positions, triangles);
     ASSERT_EQ(triangles.size(), link.size() - 2);
     for (const auto& [from, apex, to] : triangles) {
       ASSERT_LT(from, apex);
@@ -73,7 +73,7 @@ void check_hole(double size, const std::vector<Point>& points) {
 
 // Small lattices: nearly every decision is a tie, many neighbours are collinear, and three vertices of the border are
 // often clockwise in the plane.
-TEST(LargeHole, HolesInRandomLatticesAgreeWithFreshTriangulations) {
+TEST(LargeCavity, CavitiesInRandomLatticesAgreeWithFreshTriangulations) {
   std::uint64_t state = 1;
   const auto below = [&](std::uint32_t count) {
     state = state * 6364136223846793005U + 1442695040888963407U;
@@ -91,7 +91,7 @@ TEST(LargeHole, HolesInRandomLatticesAgreeWithFreshTriangulations) {
     if (below(2) == 0) hub.x += 0.5;
     if (hub.x >= size || !taken.insert({hub.x, hub.y}).second) continue;
     points.push_back(hub);
-    ASSERT_NO_FATAL_FAILURE(check_hole(static_cast<double>(size), points)) << "scene " << scene;
+    ASSERT_NO_FATAL_FAILURE(check_cavity(static_cast<double>(size), points)) << "scene " << scene;
   }
 }
 

@@ -15,9 +15,9 @@ namespace waywright::path {
 
 /// The results of a guide (DiscGuide) for the search for the path of a disc: which vertices and edges a path may use if
 /// it is not longer than a limit, and lower bounds of the length from a vertex to the goal.
-class GuideLabels {
+class GuideDistances {
  public:
-  /// Forgets the labels of the last search. `start` is the point at which the disc starts, relative to the origin of
+  /// Forgets the distances of the last search. `start` is the point at which the disc starts, relative to the origin of
   /// the map. `start_faces` are the faces that contain this point.
   void begin(const DiscMap& map, const Point& start, std::span<const mesh::Face> start_faces) {
     map_ = &map;
@@ -44,14 +44,14 @@ class GuideLabels {
     crossed_[number(h)] = stamp_.value();
     crossed_[number(map_->mesh().twin(h))] = stamp_.value();
   }
-  /// Sets the limit. The labels are complete when the guide has followed all windows whose bound is below it.
+  /// Sets the limit. The distances are complete when the guide has followed all windows whose bound is below it.
   void set_limit(double limit) { limit_ = limit; }
 
   /// Returns whether the guide has followed a window across the edge.
   [[nodiscard]] bool is_crossed(mesh::HalfEdge h) const { return crossed_[number(h)] == stamp_.value(); }
   /// Returns whether one of the two faces of the edge lies in a dead end into which the guide does not look. Then the
-  /// labels and marks say nothing about the edge. If `h` is the corner of a contact, the label of its vertex says
-  /// nothing about this contact.
+  /// distances and marks say nothing about the edge. If `h` is the corner of a pivot, the distance of its vertex says
+  /// nothing about this pivot.
   [[nodiscard]] bool is_unknown(mesh::HalfEdge h) const {
     return dead_ends_.is_in_dead_end(mesh::face(h)) || dead_ends_.is_in_dead_end(mesh::face(map_->mesh().twin(h)));
   }

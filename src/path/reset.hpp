@@ -4,8 +4,8 @@
 
 namespace waywright::path {
 
-/// Makes the answer of a search that has not found anything yet. Keeps the memory of its lists.
-inline void clear(Path& path) {
+/// Makes `path` the answer of a search that has not found anything yet. Keeps the memory of its lists.
+inline void reset(Path& path) {
   path.status = PathStatus::no_path;
   path.length = 0.0;
   path.lower_bound = 0.0;
