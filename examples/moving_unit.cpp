@@ -160,15 +160,15 @@ bool is_blocked(const World& world, const Point& point) {
   return world.find_path(query).value().status == PathStatus::start_blocked;
 }
 
-/// A wedge. The path leads along one of its slanted sides.
-World world_with_wedge() {
+/// A triangle. The path leads along one of its slanted sides.
+World world_with_triangle() {
   World world = World::create({{0, 0}, {100, 100}}).value();
   world.insert_polygon({{20, 0}, {80, 0}, {61, 47}, {33, 53}}, 1).value();
   return world;
 }
 
 void check_one_unit() {
-  const World world = world_with_wedge();
+  const World world = world_with_triangle();
   QueryContext context;
   Unit unit{.position = {}, .goal = {95, 10}, .path = {}};
   unit.position.at = {5, 10};
@@ -188,10 +188,10 @@ void check_one_unit() {
 /// If a program computes positions on a path by itself, rounding may put them inside a polygon, or beyond a wall
 /// without thickness. The positions that the library computes here never lie there.
 void check_positions() {
-  const World with_wedge = world_with_wedge();
+  const World with_triangle = world_with_triangle();
   World with_fence = World::create({{0, 0}, {100, 100}}).value();
   with_fence.insert_polyline({{20, 5}, {33, 53}, {61, 47}, {80, 0}}, 1).value();
-  const Path path = with_wedge.find_path({.start = {5, 10}, .goal = {95, 10}}).value();
+  const Path path = with_triangle.find_path({.start = {5, 10}, .goal = {95, 10}}).value();
   const Point& a = path.points[1];
   const Point& b = path.points[2];
   const double before = path.nearest(a).distance;
@@ -201,10 +201,10 @@ void check_positions() {
   for (int i = 1; i < 1000; ++i) {
     const double share = i / 1000.0;
     const Point by_hand{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
-    blocked_by_hand += is_blocked(with_wedge, by_hand) ? 1 : 0;
+    blocked_by_hand += is_blocked(with_triangle, by_hand) ? 1 : 0;
     beyond_by_hand += with_fence.is_clear(std::vector<Point>{path.points[0], a, by_hand}).value() ? 0 : 1;
     const Point position = path.at(before + share * length).at;
-    expect(!is_blocked(with_wedge, position), "a position from the library is free");
+    expect(!is_blocked(with_triangle, position), "a position from the library is free");
     expect(with_fence.is_clear(std::vector<Point>{path.points[0], a, position}).value(),
            "and on the right side of a fence");
   }
@@ -214,9 +214,9 @@ void check_positions() {
 }
 
 void check_blocked_ends() {
-  World world = world_with_wedge();
+  World world = world_with_triangle();
   QueryContext context;
-  Unit unit{.position = {}, .goal = {50, 20}, .path = {}};  // a goal inside the wedge
+  Unit unit{.position = {}, .goal = {50, 20}, .path = {}};  // a goal inside the triangle
   unit.position.at = {5, 10};
   expect(!find_path(world, context, unit) && unit.path.blockers == std::vector<ItemId>{1}, "the goal is blocked");
   expect(find_path_with_moved_ends(world, context, unit, 30) && !is_blocked(world, unit.goal),
@@ -232,7 +232,7 @@ void check_blocked_ends() {
 }
 
 void check_changes() {
-  World world = world_with_wedge();
+  World world = world_with_triangle();
   std::vector<QueryContext> contexts(2);
   std::vector<Unit> units(20);
   for (std::size_t i = 0; i < units.size(); ++i) {

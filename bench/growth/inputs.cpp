@@ -351,7 +351,7 @@ void ten_moves_at_once(std::size_t n, Meter& meter) {
   meter.stop();
 }
 
-/// Walls divide a corridor with points into n + 1 rooms.
+/// Walls divide a hall with points into n + 1 rooms.
 void rooms_at_once(std::size_t n, Meter& meter) {
   const double length = 3.0 * static_cast<double>(n + 1);
   World world = World::create({{0, 0}, {length, 3}}).value();
@@ -399,7 +399,7 @@ constexpr Input kInputs[] = {
     {"one_crossing_removed", 1000, false, "n segments through one crossing, removed", one_crossing_removed},
     {"hub_removed", 10000, false, "a vertex with n neighbours, removed", hub_removed},
     {"wall_between_curves", 10000, false, "a wall across n edges between two curves, inserted", wall_between_curves},
-    {"rooms_at_once", 2000, false, "n walls across a corridor, inserted by one operation", rooms_at_once},
+    {"rooms_at_once", 2000, false, "n walls across a hall, inserted by one operation", rooms_at_once},
     {"path_round_a_polygon", 10000, false, "the shortest path round a convex polygon of n corners",
      path_round_a_polygon},
     {"small_in_large_domain", 20000, false, "n points of a square 1,000 wide in a domain of ±1e15, each with a query",

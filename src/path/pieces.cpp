@@ -23,7 +23,7 @@ double turn_of(const PathPiece& arc) { return std::abs(arc.end_angle - arc.start
 /// Returns the direction from the centre of an arc to the position at the distance `along` from the start of the arc.
 /// Passes on the rounding error of the sum of the two angles (Knuth's TwoSum), because the sum can be three times as
 /// large as the angle of a direction.
-Point spoke_at(const PathPiece& arc, double along) {
+Point radial_at(const PathPiece& arc, double along) {
   const double turned = turn_sign(arc) * (along / arc.radius);
   const double angle = arc.start_angle + turned;
   const double added = angle - arc.start_angle;
@@ -31,7 +31,7 @@ Point spoke_at(const PathPiece& arc, double along) {
 }
 
 /// Returns the direction of the path on an arc.
-Point heading_on(const PathPiece& arc, double along) { return turn_sign(arc) * left_of(spoke_at(arc, along)); }
+Point heading_on(const PathPiece& arc, double along) { return turn_sign(arc) * left_of(radial_at(arc, along)); }
 
 /// Returns the nearest position on a straight line.
 NearestOnPiece nearest_on_line(const Point& a, const Point& b, const Point& point) {
@@ -110,7 +110,7 @@ Point position_at(const PathPiece& piece, double along) {
   if (along <= 0.0) return piece.from;
   const double length = length_of(piece);
   if (along >= length) return piece.to;
-  if (is_arc(piece)) return piece.centre + piece.radius * spoke_at(piece, along);
+  if (is_arc(piece)) return piece.centre + piece.radius * radial_at(piece, along);
   return lerp(piece.from, piece.to, along / length);
 }
 
@@ -127,11 +127,11 @@ NearestOnPiece nearest_on(const PathPiece& piece, const Point& point) {
   if (!is_arc(piece)) return nearest_on_line(piece.from, piece.to, point);
   const double length = length_of(piece);
   NearestOnPiece nearest{0.0, distance(point, piece.from)};
-  const Point spoke = point - piece.centre;
+  const Point radial = point - piece.centre;
   const Point start = unit_vector(piece.start_angle);
-  const double turned = turning_angle(start, spoke, turn_sign(piece) > 0.0 ? 1 : -1);
+  const double turned = turning_angle(start, radial, turn_sign(piece) > 0.0 ? 1 : -1);
   if (turned < turn_of(piece)) {
-    const double between = std::abs(waywright::length(spoke) - piece.radius);
+    const double between = std::abs(waywright::length(radial) - piece.radius);
     if (between < nearest.distance) nearest = {std::min(turned * piece.radius, length), between};
   } else if (const double to_end = distance(point, piece.to); to_end < nearest.distance) {
     nearest = {length, to_end};

@@ -38,8 +38,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 void append(const path::DiscPiece& piece, double radius, const Point& next, std::vector<PathPiece>& pieces) {
   if (!(piece.from == piece.to)) pieces.push_back({PathPiece::Kind::line, piece.from, piece.to, {}, 0.0, 0.0, 0.0});
   if (piece.turn == path::kNoTurn) return;
-  const Point spoke{piece.turn * piece.direction.y, -piece.turn * piece.direction.x};
-  const double start_angle = path::angle_of(spoke);
+  const Point radial{piece.turn * piece.direction.y, -piece.turn * piece.direction.x};
+  const double start_angle = path::angle_of(radial);
   const double end_angle =
       start_angle + piece.turn * path::turning_angle(piece.direction, piece.end_direction, piece.turn);
   if (end_angle != start_angle) {

@@ -16,7 +16,7 @@
 
 namespace waywright::command {
 
-/// The request that a line of output answers: an operation, and the number of its line if a script contains it.
+/// The request that a line of output answers: its name, and the number of its line if a script contains it.
 struct Request {
   std::string_view op;
   std::optional<std::uint32_t> line;

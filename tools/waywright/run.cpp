@@ -53,7 +53,7 @@ std::string geojson_of(const World& world, const SvgOverlay& overlay, bool y_dow
   return writer.take();
 }
 
-/// The result of a run, which carries out all operations or stops after one that ends it early.
+/// The result of a run, which carries out all lines of a script or stops after one that ends it early.
 struct RunResult {
   ExitStatus status = kDone;
   bool to_the_end = true;
@@ -63,12 +63,12 @@ RunResult carry_out(const Script& script, const RunOptions& options, Runner& run
   RunResult result;
   Progress progress("run");
   std::size_t done = 0;
-  for (const ScriptLine& operation : script.lines) {
+  for (const ScriptLine& line : script.lines) {
     progress.show(done++, script.lines.size());
-    const Outcome outcome = runner.carry_out(operation);
+    const Outcome outcome = runner.carry_out(line);
     if (outcome == Outcome::check_failed) result.status = kRefused;
     if (outcome == Outcome::refused && options.strict) return {kRefused, false};
-    if (options.check && !runner.validate_after(operation)) return {kRefused, false};
+    if (options.check && !runner.validate_after(line)) return {kRefused, false};
   }
   return result;
 }
