@@ -11,7 +11,7 @@
 
 namespace waywright::bench {
 
-/// Returns a regular polygon at a random position and angle in a square cell. `corner` is the least corner of the cell.
+/// Returns a regular polygon at a random position and angle in a square. `corner` is the least corner of the square.
 inline Shape random_building(Random& random, const Point& corner, double cell_size, std::size_t corner_count) {
   constexpr double kTurn = 6.283185307179586;
   const double radius = 8 + 16 * random.unit();

@@ -13,28 +13,28 @@
 
 namespace waywright::bench {
 
-/// A town: a square of cells. Every second cell contains a regular polygon of 4 to 8 corners at a random position and
-/// angle. The id of a polygon is the number of its cell, plus 1.
+/// A town: a grid of squares. Every second square contains a regular polygon of 4 to 8 corners at a random position and
+/// angle. The id of a polygon is the number of its square, plus 1.
 class Town {
  public:
   explicit Town(std::size_t vertices)
       : side_(2 * static_cast<std::size_t>(std::sqrt(static_cast<double>(vertices) / 12))) {
-    const double width = kCell * static_cast<double>(side_);
+    const double width = kSquare * static_cast<double>(side_);
     world_ = World::create({{0, 0}, {width, width}}).value();
     std::vector<Item> items;
-    for (std::size_t cell = 0; cell < side_ * side_; ++cell) {
-      if (is_built(cell)) items.push_back({{cell + 1}, building(cell)});
+    for (std::size_t square = 0; square < side_ * side_; ++square) {
+      if (is_built(square)) items.push_back({{square + 1}, building(square)});
     }
     world_.insert_all(items).value();
   }
 
   [[nodiscard]] World& world() { return world_; }
 
-  /// Returns the move of a random polygon within its cell.
+  /// Returns the move of a random polygon within its square.
   [[nodiscard]] Change random_move() {
-    std::size_t cell = random_.below(side_ * side_);
-    while (!is_built(cell)) cell = random_.below(side_ * side_);
-    return Change::replace({cell + 1}, building(cell));
+    std::size_t square = random_.below(side_ * side_);
+    while (!is_built(square)) square = random_.below(side_ * side_);
+    return Change::replace({square + 1}, building(square));
   }
 
   [[nodiscard]] std::vector<Change> random_moves(std::size_t count) {
@@ -43,7 +43,7 @@ class Town {
     return moves;
   }
 
-  /// Returns a query between two cells without a polygon that are at most 16 cells apart along each axis.
+  /// Returns a query between two squares without a polygon that are at most 16 squares apart along each axis.
   [[nodiscard]] PathQuery random_query(Random& random) const {
     const std::size_t x = random.below(side_ - 16);
     const std::size_t y = random.below(side_ - 16);
@@ -51,20 +51,20 @@ class Town {
   }
 
  private:
-  static constexpr double kCell = 64;
+  static constexpr double kSquare = 64;
 
-  [[nodiscard]] bool is_built(std::size_t cell) const { return (cell % side_ + cell / side_) % 2 == 0; }
+  [[nodiscard]] bool is_built(std::size_t square) const { return (square % side_ + square / side_) % 2 == 0; }
   [[nodiscard]] static Point empty_position(std::size_t x, std::size_t y) {
-    return {kCell * (static_cast<double>(x + (x + y + 1) % 2) + 0.5), kCell * (static_cast<double>(y) + 0.5)};
+    return {kSquare * (static_cast<double>(x + (x + y + 1) % 2) + 0.5), kSquare * (static_cast<double>(y) + 0.5)};
   }
-  [[nodiscard]] Shape building(std::size_t cell) {
+  [[nodiscard]] Shape building(std::size_t square) {
     const std::size_t corners = 4 + random_.below(5);
-    const Point corner{kCell * static_cast<double>(cell % side_), kCell * static_cast<double>(cell / side_)};
-    return random_building(random_, corner, kCell, corners);
+    const Point corner{kSquare * static_cast<double>(square % side_), kSquare * static_cast<double>(square / side_)};
+    return random_building(random_, corner, kSquare, corners);
   }
 
   Random random_{1};
-  std::size_t side_;  ///< the number of cells along each axis
+  std::size_t side_;  ///< the number of squares along each axis
   World world_ = World::create({{0, 0}, {1, 1}}).value();
 };
 

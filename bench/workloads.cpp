@@ -61,12 +61,12 @@ std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y) {
 void sort_along_hilbert_curve(std::vector<Point>& points, const Box& box) {
   std::vector<std::pair<std::uint64_t, std::size_t>> order;
   order.reserve(points.size());
-  const auto cell = [](double value, double low, double high) {
+  const auto to_grid = [](double value, double low, double high) {
     return static_cast<std::uint32_t>((value - low) / (high - low) * 65535.0);
   };
   for (const Point& p : points) {
-    const std::uint32_t x = cell(p.x, box.min.x, box.max.x);
-    const std::uint32_t y = cell(p.y, box.min.y, box.max.y);
+    const std::uint32_t x = to_grid(p.x, box.min.x, box.max.x);
+    const std::uint32_t y = to_grid(p.y, box.min.y, box.max.y);
     order.emplace_back(hilbert_index(x, y), order.size());
   }
   std::sort(order.begin(), order.end());
@@ -357,15 +357,15 @@ Workload disjoint_segments(std::size_t count) {
   Random random(61);
   std::size_t side = 1;
   while (side * side < count) ++side;
-  std::vector<std::size_t> cells(side * side);
-  std::iota(cells.begin(), cells.end(), std::size_t{0});
-  for (std::size_t i = cells.size(); i > 1; --i) std::swap(cells[i - 1], cells[random.below(i)]);
+  std::vector<std::size_t> squares(side * side);
+  std::iota(squares.begin(), squares.end(), std::size_t{0});
+  for (std::size_t i = squares.size(); i > 1; --i) std::swap(squares[i - 1], squares[random.below(i)]);
   const auto extent = static_cast<double>(side);
   Workload workload{{{0.0, 0.0}, {extent, extent}}, {}, {}};
   for (std::size_t i = 0; i < count; ++i) {
-    const auto column = static_cast<double>(cells[i] % side);
-    const auto row = static_cast<double>(cells[i] / side);
-    const auto within = [&](double cell) { return cell + 0.02 + 0.96 * random.unit(); };
+    const auto column = static_cast<double>(squares[i] % side);
+    const auto row = static_cast<double>(squares[i] / side);
+    const auto within = [&](double square) { return square + 0.02 + 0.96 * random.unit(); };
     const Point from{within(column), within(row)};
     const Point to{within(column), within(row)};
     workload.updates.push_back({{}, make_item(i + 1, ItemKind::segment, {from, to})});

@@ -88,7 +88,7 @@ struct Locations {
 /// Returns points in random order. Nine in ten of the vertices and of the targets lie in a hundredth of the square.
 [[nodiscard]] Locations uneven_locations(std::size_t count);
 
-/// Returns `count` segments, none of which touches another: one in each cell of a lattice, in random order.
+/// Returns `count` segments, none of which touches another: one in each square of a lattice, in random order.
 [[nodiscard]] Workload disjoint_segments(std::size_t count);
 
 /// Returns random whole points of the workload's domain that lie in none of its items' bounding boxes.

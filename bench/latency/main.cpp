@@ -17,25 +17,25 @@
 namespace waywright::bench {
 namespace {
 
-constexpr double kCell = 64;           ///< the width of a cell, which contains at most one building
-constexpr std::int64_t kReach = 16;    ///< the largest distance of the ends of a path, in cells, along each axis
+constexpr double kSquare = 64;         ///< the width of a square, which contains at most one building
+constexpr std::int64_t kReach = 16;    ///< the largest distance of the ends of a path, in squares, along each axis
 constexpr std::size_t kPathEvery = 8;  ///< rounds between two rounds with path queries
 
-/// A town: a square of cells. Half of the cells contain a building, anywhere in its cell.
+/// A town: a grid of squares. Half of the squares contain a building, anywhere in its square.
 class Town {
  public:
   /// Makes a town with about `vertices` vertices: the corners of buildings or, if `are_points` is true, mostly points.
   Town(std::size_t vertices, bool are_points)
       : random_(1), side_(side_of(are_points ? vertices / 16 : vertices)), ids_(side_ * side_), corners_(ids_.size()) {
-    const double width = kCell * static_cast<double>(side_);
+    const double width = kSquare * static_cast<double>(side_);
     world_ = World::create({{0, 0}, {width, width}}).value();
     std::vector<Item> items;
-    for (std::size_t cell = 0; cell < ids_.size(); ++cell) free_.push_back(cell);
+    for (std::size_t square = 0; square < ids_.size(); ++square) free_.push_back(square);
     while (built_.size() < ids_.size() / 2) built_.push_back(take(free_));
-    for (const std::size_t cell : built_) {
-      corners_[cell] = random_.below(2) == 0 ? 4 : 8;
-      ids_[cell] = {++last_id_};
-      items.push_back({ids_[cell], building(cell, corners_[cell])});
+    for (const std::size_t square : built_) {
+      corners_[square] = random_.below(2) == 0 ? 4 : 8;
+      ids_[square] = {++last_id_};
+      items.push_back({ids_[square], building(square, corners_[square])});
     }
     world_.insert_all(items).value();
     std::vector<Point> points;
@@ -50,14 +50,14 @@ class Town {
     insert("insert a building, 4 corners", 4);
     insert("insert a building, 8 corners", 8);
     for (int i = 0; i < 2; ++i) {
-      const std::size_t cell = take(built_);
-      const ItemId id = std::exchange(ids_[cell], {});
+      const std::size_t square = take(built_);
+      const ItemId id = std::exchange(ids_[square], {});
       time("remove a building", [&] { world_.remove(id).value(); });
-      free_.push_back(cell);
+      free_.push_back(square);
     }
-    const std::size_t cell = built_[random_.below(built_.size())];
-    const Shape moved = building(cell, corners_[cell]);
-    time("move a building", [&] { world_.replace(ids_[cell], moved).value(); });
+    const std::size_t square = built_[random_.below(built_.size())];
+    const Shape moved = building(square, corners_[square]);
+    time("move a building", [&] { world_.replace(ids_[square], moved).value(); });
     const Point point = anywhere();
     time("locate a point", [&] { world_.locate(point, context_, location_).value(); });
     if (round % kPathEvery != 0) return;
@@ -71,7 +71,7 @@ class Town {
   }
 
  private:
-  /// The number of cells along each axis: half of the cells have a building with 6 corners on average.
+  /// The number of squares along each axis: half of the squares have a building with 6 corners on average.
   static std::size_t side_of(std::size_t vertices) {
     return static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(vertices) / 3)));
   }
@@ -93,56 +93,56 @@ class Town {
   }
 
   void insert(const char* what, std::size_t corners) {
-    const std::size_t cell = take(free_);
-    const Shape shape = building(cell, corners);
-    ids_[cell] = {++last_id_};
-    corners_[cell] = corners;
-    time(what, [&] { world_.insert(shape, ids_[cell]).value(); });
-    built_.push_back(cell);
+    const std::size_t square = take(free_);
+    const Shape shape = building(square, corners);
+    ids_[square] = {++last_id_};
+    corners_[square] = corners;
+    time(what, [&] { world_.insert(shape, ids_[square]).value(); });
+    built_.push_back(square);
   }
 
-  /// Takes a random cell out of a list.
-  std::size_t take(std::vector<std::size_t>& cells) {
-    std::swap(cells[random_.below(cells.size())], cells.back());
-    const std::size_t cell = cells.back();
-    cells.pop_back();
-    return cell;
+  /// Takes a random square out of a list.
+  std::size_t take(std::vector<std::size_t>& squares) {
+    std::swap(squares[random_.below(squares.size())], squares.back());
+    const std::size_t square = squares.back();
+    squares.pop_back();
+    return square;
   }
 
-  [[nodiscard]] Point corner_of(std::size_t cell) const {
-    return {kCell * static_cast<double>(cell % side_), kCell * static_cast<double>(cell / side_)};
+  [[nodiscard]] Point corner_of(std::size_t square) const {
+    return {kSquare * static_cast<double>(square % side_), kSquare * static_cast<double>(square / side_)};
   }
   [[nodiscard]] Point anywhere() {
-    const double width = kCell * static_cast<double>(side_);
+    const double width = kSquare * static_cast<double>(side_);
     return {width * random_.unit(), width * random_.unit()};
   }
-  [[nodiscard]] Point free_position(std::size_t cell) {
-    return corner_of(cell) + Point{kCell * random_.unit(), kCell * random_.unit()};
+  [[nodiscard]] Point free_position(std::size_t square) {
+    return corner_of(square) + Point{kSquare * random_.unit(), kSquare * random_.unit()};
   }
-  /// Returns a regular polygon at a random position and angle in the cell.
-  [[nodiscard]] Shape building(std::size_t cell, std::size_t corners) {
-    return random_building(random_, corner_of(cell), kCell, corners);
+  /// Returns a regular polygon at a random position and angle in the square.
+  [[nodiscard]] Shape building(std::size_t square, std::size_t corners) {
+    return random_building(random_, corner_of(square), kSquare, corners);
   }
 
-  /// Returns a position in a free cell at most kReach cells from the start, along each axis.
+  /// Returns a position in a free square at most kReach squares from the start, along each axis.
   [[nodiscard]] Point goal_near(const Point& start) {
     const auto side = static_cast<std::int64_t>(side_);
     for (;;) {
-      const auto x = static_cast<std::int64_t>(start.x / kCell) +
+      const auto x = static_cast<std::int64_t>(start.x / kSquare) +
                      static_cast<std::int64_t>(random_.below(2 * kReach + 1)) - kReach;
-      const auto y = static_cast<std::int64_t>(start.y / kCell) +
+      const auto y = static_cast<std::int64_t>(start.y / kSquare) +
                      static_cast<std::int64_t>(random_.below(2 * kReach + 1)) - kReach;
       if (x < 0 || y < 0 || x >= side || y >= side) continue;
-      const auto cell = static_cast<std::size_t>(y * side + x);
-      if (ids_[cell].is_null()) return free_position(cell);
+      const auto square = static_cast<std::size_t>(y * side + x);
+      if (ids_[square].is_null()) return free_position(square);
     }
   }
 
   Random random_;
-  std::size_t side_;                       ///< the number of cells along each axis
-  std::vector<ItemId> ids_;                ///< by cell: of its building, or null
-  std::vector<std::size_t> corners_;       ///< by cell: of its building
-  std::vector<std::size_t> free_, built_;  ///< cells
+  std::size_t side_;                       ///< the number of squares along each axis
+  std::vector<ItemId> ids_;                ///< by square: of its building, or null
+  std::vector<std::size_t> corners_;       ///< by square: of its building
+  std::vector<std::size_t> free_, built_;  ///< squares
   std::uint64_t last_id_ = 0;
   World world_ = World::create({{0, 0}, {1, 1}}).value();
   QueryContext context_;

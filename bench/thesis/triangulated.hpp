@@ -67,7 +67,7 @@ class Triangulated {
   [[nodiscard]] bool turns_left(mesh::Vertex a, mesh::Vertex b, mesh::Vertex c) const {
     if constexpr (std::is_same_v<typename Geometry::View, Point>) {
       const auto at = [&](mesh::Vertex v) {
-        return exact::explicit_point(triangulation_.triangulation().geometry().rounded(number(v)));
+        return exact::explicit_position(triangulation_.triangulation().geometry().rounded(number(v)));
       };
       return exact::orientation(at(a), at(b), at(c)) == exact::Sign::positive;
     } else {

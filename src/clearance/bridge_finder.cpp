@@ -236,7 +236,7 @@ bool BridgeFinder::is_bridge_to(HalfEdge corner, HalfEdge wall) {
 // In worlds of rectangles, this is frequent.
 Sign BridgeFinder::side_of_foot(const Gap& gap, Vertex v) const {
   if (is_explicit(v)) return exact::dot(gap.from, position_of(v), gap.a, gap.b);
-  const exact::ExactPoint point = geometry_.exact(number(v));
+  const exact::ExactPosition point = geometry_.exact(number(v));
   for (const exact::PointPair* const line : {point.ab, point.cd}) {
     if (gap.from == line->a) return exact::dot(gap.from, line->b, gap.a, gap.b);
     if (gap.from == line->b) return exact::dot(gap.from, line->a, gap.a, gap.b);

@@ -130,7 +130,7 @@ void BridgeLister::offer_feet(const Query& query, Face f, Face connected) {
 void BridgeLister::offer(const Query& query, const CellEdge& gate, Face connected) {
   const exact::Gap gap = Cells(query.triangulation, query.bridges).canonical_gap(gate);
   const Point to = exact::end_of(gap);
-  if (!query.test.meets(exact::explicit_point(gap.from), exact::explicit_point(to))) return;
+  if (!query.test.meets(exact::explicit_position(gap.from), exact::explicit_position(to))) return;
   if (is_open(query, connected)) listed_.push_back({gate, gap, to});
 }
 

@@ -6,7 +6,7 @@
 
 namespace waywright::clearance {
 
-/// Two explicit points on the line of a wall, in the direction of the wall.
+/// Two explicit positions on the line of a wall, in the direction of the wall.
 struct WallLine {
   Point from;
   Point to;

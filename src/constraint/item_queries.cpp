@@ -42,7 +42,8 @@ Point meeting_point(const ExactTriangulation& triangulation, mesh::HalfEdge h, c
   const Point& c = geometry.rounded(number(side.from));
   const Point& d = geometry.rounded(number(side.to));
   for (const Point& end : {from, to}) {
-    const auto on = exact::orientation(exact::explicit_point(c), exact::explicit_point(d), exact::explicit_point(end));
+    const auto on =
+        exact::orientation(exact::explicit_position(c), exact::explicit_position(d), exact::explicit_position(end));
     if (on == exact::Sign::zero) return end;
   }
   return exact::round_to_nearest({from, to, c, d}).nearest;

@@ -209,7 +209,7 @@ RoundedCrossing detail::round_other_to_nearest(const Crossing& crossing) {
   return integers::round_to_nearest(crossing);
 }
 
-std::string to_fractions(const ExactPoint& point) {
+std::string to_fractions(const ExactPosition& point) {
   LatticeExponent lattice;
   lattice.include(point);
   const Homogeneous exact = to_homogeneous(point, lattice.value());

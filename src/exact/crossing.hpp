@@ -6,7 +6,7 @@
 #include "waywright/point.hpp"
 
 #include "exact/counts.hpp"
-#include "exact/exact_point.hpp"
+#include "exact/exact_position.hpp"
 
 namespace waywright::exact {
 
@@ -55,6 +55,6 @@ namespace detail {
 }
 
 /// Returns "XNUM XDEN YNUM YDEN": the point as reduced fractions with positive denominators.
-[[nodiscard]] std::string to_fractions(const ExactPoint& point);
+[[nodiscard]] std::string to_fractions(const ExactPosition& point);
 
 }  // namespace waywright::exact

@@ -7,14 +7,14 @@
 
 #include "waywright/point.hpp"
 
-#include "exact/exact_point.hpp"
+#include "exact/exact_position.hpp"
 #include "exact/sign.hpp"
 
 // Stage 1 of the predicates: doubles with a proven error bound. Notation: u = 2^-53, and d^ ("d hat") is the computed
 // value of d. There are three bounds: one constant for all orientations in a box; a coarse bound, which is cheap, holds
 // for points of any kind and decides nearly all predicates that the constant leaves open; and a fine bound.
 //
-// Explicit points. The inputs are exact, and the computed value of a difference d is d^ = d (1 + e) with |e| <= u.
+// Explicit positions. The inputs are exact, and the computed value of a difference d is d^ = d (1 + e) with |e| <= u.
 // Shewchuk's analysis (*Adaptive precision floating-point arithmetic*, 1997, section 4) bounds the error of the
 // determinants by
 //   orientation: (3 + 16 u) u (|l^| + |r^|), where the determinant is l - r;
@@ -23,8 +23,8 @@
 // For coordinates in range (kLargestCoordinate, kSmallestCoordinate) nothing overflows, and no non-zero product of up
 // to four differences is below 2^-608.
 //
-// Constructed points. Their stored coordinates are rounded to nearest. A true coordinate differs from the stored one by
-// at most u m, where m is the largest magnitude of the stored coordinates. A true difference is then d^ (1 + e) + n
+// Constructed positions. Their stored coordinates are rounded to nearest. A true coordinate differs from the stored one
+// by at most u m, where m is the largest magnitude of the stored coordinates. A true difference is then d^ (1 + e) + n
 // with |n| <= 2 u m. Let S be the sum of all |d^|, and L the largest of them. The terms n alone change the determinants
 // by at most
 //   orientation: 2 u m (1 + u) S + 2 (2 u m)^2, because each of its two products changes by at most
@@ -170,7 +170,7 @@ template <class Position>
 
 }  // namespace coarse
 
-/// Whether three explicit points lie on a line parallel to an axis, or the last point equals one of the others. Then
+/// Whether three explicit positions lie on a line parallel to an axis, or the last point equals one of the others. Then
 /// both products of the determinant have a factor 0. If walls lie on a grid, this is by far the most common tie.
 template <class Position>
 [[nodiscard]] bool is_flat(const Position& a, const Position& b, const Position& c) {
@@ -178,7 +178,7 @@ template <class Position>
   return b.y == c.y && (a.y == c.y || b.x == c.x);
 }
 
-/// Whether four explicit points are the corners of a rectangle with sides parallel to the axes. Such points lie on a
+/// Whether four explicit positions are the corners of a rectangle with sides parallel to the axes. Such points lie on a
 /// circle, so the answer is known without arithmetic. If walls lie on a grid, this is by far the most common tie.
 template <class Position>
 [[nodiscard]] bool is_rectangle(const Position& a, const Position& b, const Position& c, const Position& d) {
@@ -202,7 +202,8 @@ inline constexpr double kInCircleBound = (10.0 + 96.0 * kHalfUlp) * kHalfUlp;
   return std::nullopt;
 }
 
-[[nodiscard]] inline std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+[[nodiscard]] inline std::optional<Sign> orientation(const ExactPosition& a, const ExactPosition& b,
+                                                     const ExactPosition& c) {
   const double acx = a.x - c.x;
   const double acy = a.y - c.y;
   const double bcx = b.x - c.x;
@@ -220,8 +221,8 @@ inline constexpr double kInCircleBound = (10.0 + 96.0 * kHalfUlp) * kHalfUlp;
   return sign_beyond(left - right, error);
 }
 
-[[nodiscard]] inline std::optional<Sign> in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
-                                                   const ExactPoint& d) {
+[[nodiscard]] inline std::optional<Sign> in_circle(const ExactPosition& a, const ExactPosition& b,
+                                                   const ExactPosition& c, const ExactPosition& d) {
   const auto [adx, ady, bdx, bdy, cdx, cdy, a_lift, b_lift, c_lift, determinant] = circle_terms(a, b, c, d);
   const double permanent = a_lift * (std::abs(bdx * cdy) + std::abs(cdx * bdy)) +
                            b_lift * (std::abs(cdx * ady) + std::abs(adx * cdy)) +

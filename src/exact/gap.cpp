@@ -265,14 +265,14 @@ Sign detail::finer_dot(const Point& p, const Crossing& q, const Point& a, const 
 
 // All vectors start at w. If D is the other end of the diameter, then D . x = x^2 and D . y = y^2. With n = x^2 y - y^2
 // x, n . D = 0, and D = (n.y, -n.x) / (x x y). So n points to the left of D, and the sign is that of n . z.
-Sign side_of_diameter(const Point& w, const ExactPoint& x, const ExactPoint& y, const ExactPoint& z) {
+Sign side_of_diameter(const Point& w, const ExactPosition& x, const ExactPosition& y, const ExactPosition& z) {
   LatticeExponent lattice;
   lattice.include(w);
-  for (const ExactPoint* const point : {&x, &y, &z}) lattice.include(*point);
+  for (const ExactPosition* const point : {&x, &y, &z}) lattice.include(*point);
   const int exponent = lattice.value();
   const Integer w_x = to_integer(w.x, exponent);
   const Integer w_y = to_integer(w.y, exponent);
-  const auto from_w = [&](const ExactPoint& point) {
+  const auto from_w = [&](const ExactPosition& point) {
     const Homogeneous p = to_homogeneous(point, exponent);
     return Homogeneous{p.x - w_x * p.w, p.y - w_y * p.w, p.w};
   };
@@ -328,7 +328,7 @@ namespace stages {
 StageAnswers<Sign> dot(const Point& p, const Point& q, const Point& a, const Point& b) {
   return formula::AskEachStage::run<formula::DotFormula>(std::array{p, q, a, b});
 }
-StageAnswers<Sign> dot(const Point& p, const ExactPoint& q, const Point& a, const Point& b) {
+StageAnswers<Sign> dot(const Point& p, const ExactPosition& q, const Point& a, const Point& b) {
   if (q.is_explicit()) return dot(p, Point{q.x, q.y}, a, b);
   StageAnswers<Sign> answers;
   answers.doubles = detail::dot_in_doubles(p, NearestDouble{q.x}, NearestDouble{q.y}, a, b);

@@ -6,13 +6,13 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
-#include "exact/exact_point.hpp"
+#include "exact/exact_position.hpp"
 #include "exact/rounded.hpp"
 #include "exact/sign.hpp"
 
 namespace waywright::exact {
 
-// Predicates for clearance. They compare gaps between explicit points, and distances. Like the predicates of
+// Predicates for clearance. They compare gaps between explicit positions, and distances. Like the predicates of
 // predicates.hpp they run in stages: doubles with a proven error bound; integers of fixed width, if all coordinates lie
 // on one lattice; integers of any size. All functions require: the points are in range.
 
@@ -48,7 +48,7 @@ template <class Coordinate>
 }
 
 /// The sign of (q - p) . (b - a). `q` may be a crossing.
-[[nodiscard]] inline Sign dot(const Point& p, const ExactPoint& q, const Point& a, const Point& b) {
+[[nodiscard]] inline Sign dot(const Point& p, const ExactPosition& q, const Point& a, const Point& b) {
   if (q.is_explicit()) return dot(p, Point{q.x, q.y}, a, b);
   if (const auto sign = detail::dot_in_doubles(p, NearestDouble{q.x}, NearestDouble{q.y}, a, b)) return *sign;
   return detail::finer_dot(p, q.crossing(), a, b);
@@ -58,7 +58,8 @@ template <class Coordinate>
 /// the centre. Returns where `z` lies relative to this line: positive if it lies left of it, negative if it lies right
 /// of it, zero if it lies on it. Requires: `w`, `x` and `y` are counter-clockwise. Computes with integers of any size
 /// only.
-[[nodiscard]] Sign side_of_diameter(const Point& w, const ExactPoint& x, const ExactPoint& y, const ExactPoint& z);
+[[nodiscard]] Sign side_of_diameter(const Point& w, const ExactPosition& x, const ExactPosition& y,
+                                    const ExactPosition& z);
 
 /// Whether the closed disc whose diameter is the gap contains a position of the segment from `c` to `d` other than the
 /// two ends of the gap. `c` and `d` may be equal.
@@ -105,7 +106,7 @@ struct StageAnswers {
 namespace stages {
 [[nodiscard]] StageAnswers<Sign> dot(const Point& p, const Point& q, const Point& a, const Point& b);
 /// For a crossing, only the doubles and the integers of any size answer.
-[[nodiscard]] StageAnswers<Sign> dot(const Point& p, const ExactPoint& q, const Point& a, const Point& b);
+[[nodiscard]] StageAnswers<Sign> dot(const Point& p, const ExactPosition& q, const Point& a, const Point& b);
 [[nodiscard]] StageAnswers<bool> touches(const Gap& gap, const Point& c, const Point& d);
 [[nodiscard]] StageAnswers<Sign> compare_to_diameter(const Gap& gap, double radius);
 [[nodiscard]] StageAnswers<Sign> compare_lengths(const Gap& p, const Gap& q);

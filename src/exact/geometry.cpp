@@ -59,7 +59,7 @@ void Geometry::roll_back() {
   lines_.roll_back();
 }
 
-ExactPoint Geometry::exact(const View& view) const {
+ExactPosition Geometry::exact(const View& view) const {
   const Lines lines = lines_of(view.vertex);
   if (lines.one == LineTable::kNone) return {view.x, view.y};
   return {view.x, view.y, &lines_[lines.one], &lines_[lines.other]};

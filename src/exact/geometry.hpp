@@ -10,7 +10,7 @@
 #include "exact/any_geometry.hpp"
 #include "exact/counts.hpp"
 #include "exact/crossing.hpp"
-#include "exact/exact_point.hpp"
+#include "exact/exact_position.hpp"
 #include "exact/filter.hpp"
 #include "exact/line_table.hpp"
 #include "exact/sign.hpp"
@@ -36,7 +36,7 @@ class Geometry {
   struct View {
     double x = 0.0;
     double y = 0.0;
-    std::uint32_t vertex = kNoVertex;  ///< kNoVertex: an explicit point
+    std::uint32_t vertex = kNoVertex;  ///< kNoVertex: an explicit position
   };
 
   /// The line from one position to another, for tests of many positions against one line.
@@ -54,10 +54,10 @@ class Geometry {
       : orientation_error_(filter::largest_orientation_error(box)),
         in_circle_position_term_(filter::coarse::in_circle_position_term(box)) {}
 
-  /// Sets the position of `vertex` to an explicit point. Makes the table longer if needed. Requires: the point is in
+  /// Sets the position of `vertex` to an explicit position. Makes the table longer if needed. Requires: the point is in
   /// range, and the vertex is not constructed.
   void set_position(std::uint32_t vertex, const Point& point);
-  /// Sets the positions of the vertices from 0 on to explicit points. The undo log does not record this. Requires:
+  /// Sets the positions of the vertices from 0 on to explicit positions. The undo log does not record this. Requires:
   /// there are no positions yet, and the points are in range.
   void set_positions(std::vector<Point>&& points) { positions_ = std::move(points); }
   /// Sets the position of `vertex` to the crossing of the lines through (a, b) and (c, d). Requires: these four
@@ -85,7 +85,7 @@ class Geometry {
   /// Whether there is a constructed vertex.
   [[nodiscard]] bool has_constructed() const { return constructed_count_ != 0; }
   /// The exact position of a vertex. The result stays valid until a vertex is added.
-  [[nodiscard]] ExactPoint exact(std::uint32_t vertex) const { return exact(view(vertex)); }
+  [[nodiscard]] ExactPosition exact(std::uint32_t vertex) const { return exact(view(vertex)); }
 
   [[nodiscard]] Sign orientation(const View& a, const View& b, const View& c) const {
     const Sign sign = filter::sign_beyond(filter::orientation_determinant(a, b, c), orientation_error_);
@@ -165,7 +165,7 @@ class Geometry {
     return lines == nullptr ? Lines{} : *lines;
   }
   [[nodiscard]] bool is_explicit(const View& view) const { return is_explicit(view.vertex); }
-  [[nodiscard]] ExactPoint exact(const View& view) const;
+  [[nodiscard]] ExactPosition exact(const View& view) const;
 
   double orientation_error_;
   double in_circle_position_term_;

@@ -33,7 +33,7 @@ Homogeneous to_homogeneous(const Crossing& crossing, int lattice_exponent) {
   return {a.x * w + t * ab.x, a.y * w + t * ab.y, w};
 }
 
-Homogeneous to_homogeneous(const ExactPoint& point, int lattice_exponent) {
+Homogeneous to_homogeneous(const ExactPosition& point, int lattice_exponent) {
   if (!point.is_explicit()) return to_homogeneous(point.crossing(), lattice_exponent);
   return {to_integer(point.x, lattice_exponent), to_integer(point.y, lattice_exponent), Integer{1}};
 }

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/bit_cast.hpp"
-#include "exact/exact_point.hpp"
+#include "exact/exact_position.hpp"
 #include "exact/integer.hpp"
 
 namespace waywright::exact {
@@ -39,7 +39,7 @@ class LatticeExponent {
     include(point.x);
     include(point.y);
   }
-  void include(const ExactPoint& point) {
+  void include(const ExactPosition& point) {
     if (point.is_explicit()) {
       include(Point{point.x, point.y});
     } else {
@@ -76,7 +76,7 @@ struct Homogeneous {
 }
 
 [[nodiscard]] Homogeneous to_homogeneous(const Crossing& crossing, int lattice_exponent);
-[[nodiscard]] Homogeneous to_homogeneous(const ExactPoint& point, int lattice_exponent);
+[[nodiscard]] Homogeneous to_homogeneous(const ExactPosition& point, int lattice_exponent);
 
 /// Rounds each coordinate to the nearest double. Requires: no result is subnormal.
 [[nodiscard]] Point round_to_nearest(const Homogeneous& point, int lattice_exponent);

@@ -24,9 +24,9 @@ constexpr int kSmallBits = 30;
 template <std::size_t kCount>
 class CommonOffsets {
  public:
-  explicit CommonOffsets(const std::array<const ExactPoint*, kCount>& points)
+  explicit CommonOffsets(const std::array<const ExactPosition*, kCount>& points)
       : points_(points), offsets_(points.back()->is_explicit() ? nearest(*points.back()) : points.back()->ab->a) {
-    for (const ExactPoint* const point : points) {
+    for (const ExactPosition* const point : points) {
       if (point->is_explicit()) {
         offsets_.add(nearest(*point));
       } else {
@@ -58,9 +58,9 @@ class CommonOffsets {
   }
 
  private:
-  [[nodiscard]] static Point nearest(const ExactPoint& point) { return {point.x, point.y}; }
+  [[nodiscard]] static Point nearest(const ExactPosition& point) { return {point.x, point.y}; }
 
-  std::array<const ExactPoint*, kCount> points_;
+  std::array<const ExactPosition*, kCount> points_;
   Offsets<4 * kCount> offsets_;
 };
 
@@ -123,7 +123,7 @@ std::int64_t small_lift(const LatticeVector& p) { return p.x * p.x + p.y * p.y; 
 /// coordinates of `origin` by at most 2^kSmallBits. This test recognises by far the most common lattice without a
 /// search for it.
 /// Requires: the coordinates of `origin` are whole numbers.
-std::optional<LatticeVector> whole_offset(const ExactPoint& p, const ExactPoint& origin) {
+std::optional<LatticeVector> whole_offset(const ExactPosition& p, const ExactPosition& origin) {
   constexpr double kFurthest = std::int64_t{1} << kSmallBits;
   const double x = p.x - origin.x;
   const double y = p.y - origin.y;
@@ -131,7 +131,7 @@ std::optional<LatticeVector> whole_offset(const ExactPoint& p, const ExactPoint&
   return LatticeVector{static_cast<std::int64_t>(x), static_cast<std::int64_t>(y)};
 }
 
-std::optional<Sign> explicit_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+std::optional<Sign> explicit_orientation(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c) {
   Offsets<2> offsets({c.x, c.y});
   offsets.add({a.x, a.y});
   offsets.add({b.x, b.y});
@@ -147,8 +147,8 @@ Sign small_in_circle(const LatticeVector& p, const LatticeVector& q, const Latti
       .sign();
 }
 
-std::optional<Sign> explicit_in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
-                                       const ExactPoint& d) {
+std::optional<Sign> explicit_in_circle(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c,
+                                       const ExactPosition& d) {
   if (is_whole(d.x) && is_whole(d.y)) {
     const auto p = whole_offset(a, d);
     const auto q = whole_offset(b, d);
@@ -156,7 +156,7 @@ std::optional<Sign> explicit_in_circle(const ExactPoint& a, const ExactPoint& b,
     if (p && q && r) return small_in_circle(*p, *q, *r);
   }
   Offsets<3> offsets({d.x, d.y});
-  for (const ExactPoint* const point : {&a, &b, &c}) offsets.add({point->x, point->y});
+  for (const ExactPosition* const point : {&a, &b, &c}) offsets.add({point->x, point->y});
   if (!offsets.find_lattice()) return std::nullopt;
   const LatticeVector p = offsets[0];
   const LatticeVector q = offsets[1];
@@ -165,11 +165,12 @@ std::optional<Sign> explicit_in_circle(const ExactPoint& a, const ExactPoint& b,
   return (lift(p) * cross(q, r) + lift(q) * cross(r, p) + lift(r) * cross(p, q)).sign();
 }
 
-/// Moves an explicit point to the last position, if there is one. Returns whether it swapped two points.
+/// Moves an explicit position to the last position, if there is one. Returns whether it swapped two points.
 template <std::size_t kCount>
-bool put_explicit_last(std::array<const ExactPoint*, kCount>& points) {
+bool put_explicit_last(std::array<const ExactPosition*, kCount>& points) {
   if (points.back()->is_explicit()) return false;
-  const auto found = std::find_if(points.begin(), points.end(), [](const ExactPoint* p) { return p->is_explicit(); });
+  const auto found =
+      std::find_if(points.begin(), points.end(), [](const ExactPosition* p) { return p->is_explicit(); });
   if (found == points.end()) return false;
   std::swap(*found, points.back());
   return true;
@@ -177,7 +178,7 @@ bool put_explicit_last(std::array<const ExactPoint*, kCount>& points) {
 
 }  // namespace
 
-std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+std::optional<Sign> orientation(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c) {
   if (a.is_explicit() && b.is_explicit() && c.is_explicit()) return explicit_orientation(a, b, c);
   std::array points{&a, &b, &c};
   const bool is_swapped = put_explicit_last(points);
@@ -191,17 +192,17 @@ std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const 
 
 // If the sum of the squares of all offsets is at most 2^30, neither a term of the determinant nor the sum of its terms
 // exceeds 2^60.
-std::optional<Sign> whole_in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
-                                    const ExactPoint& d) {
+std::optional<Sign> whole_in_circle(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c,
+                                    const ExactPosition& d) {
   constexpr double kMostSquares = 0x1p30;
-  const auto offset = [&](const ExactPoint& p) -> Point { return {p.x - d.x, p.y - d.y}; };
+  const auto offset = [&](const ExactPosition& p) -> Point { return {p.x - d.x, p.y - d.y}; };
   const auto square = [](const Point& p) { return p.x * p.x + p.y * p.y; };
   const auto to_integers = [](const Point& p) -> LatticeVector {
     return {static_cast<std::int64_t>(p.x), static_cast<std::int64_t>(p.y)};
   };
   const std::array<Point, 3> offsets = {offset(a), offset(b), offset(c)};
   if (!(square(offsets[0]) + square(offsets[1]) + square(offsets[2]) <= kMostSquares)) return std::nullopt;
-  for (const ExactPoint* const point : {&a, &b, &c, &d}) {
+  for (const ExactPosition* const point : {&a, &b, &c, &d}) {
     if (!point->is_explicit() || !is_whole(point->x) || !is_whole(point->y)) return std::nullopt;
   }
   const LatticeVector p = to_integers(offsets[0]);
@@ -211,7 +212,8 @@ std::optional<Sign> whole_in_circle(const ExactPoint& a, const ExactPoint& b, co
                  small_lift(r) * small_cross(p, q));
 }
 
-std::optional<Sign> in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
+std::optional<Sign> in_circle(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c,
+                              const ExactPosition& d) {
   if (a.is_explicit() && b.is_explicit() && c.is_explicit() && d.is_explicit()) return explicit_in_circle(a, b, c, d);
   std::array points{&a, &b, &c, &d};
   const bool is_swapped = put_explicit_last(points);
@@ -223,7 +225,7 @@ std::optional<Sign> in_circle(const ExactPoint& a, const ExactPoint& b, const Ex
   return is_swapped ? -sign : sign;
 }
 
-std::optional<std::strong_ordering> compare(const ExactPoint& p, const ExactPoint& q) {
+std::optional<std::strong_ordering> compare(const ExactPosition& p, const ExactPosition& q) {
   CommonOffsets<2> points({&p, &q});
   if (!points.find_lattice()) return std::nullopt;
   return points.is_narrow() ? compare_of<1>(points.to_lattice<1>()) : compare_of<2>(points.to_lattice<2>());

@@ -3,7 +3,7 @@
 #include <compare>
 #include <optional>
 
-#include "exact/exact_point.hpp"
+#include "exact/exact_position.hpp"
 #include "exact/sign.hpp"
 
 /// Stage 2 of the predicates: integers of a fixed width, on the stack, for coordinates that lie on one lattice. The
@@ -15,20 +15,20 @@
 ///   constructed    below 2^29            248          618    5 and 12
 ///   constructed    up to 2^61            504        1,258    8 and 20
 ///
-/// For constructed points whose coordinates differ by at most 2^b, the numbers of bits are 8 b + 8 and 20 b + 18. This
-/// follows from the widths that LatticePoint states and from the determinants in lattice.cpp.
+/// For constructed positions whose coordinates differ by at most 2^b, the numbers of bits are 8 b + 8 and 20 b + 18.
+/// This follows from the widths that LatticePoint states and from the determinants in lattice.cpp.
 ///
 /// The functions return nothing if the points lie on no lattice in whose units their offsets are small enough.
 namespace waywright::exact::lattice {
 
-[[nodiscard]] std::optional<Sign> orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
-[[nodiscard]] std::optional<Sign> in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
-                                            const ExactPoint& d);
-/// Like in_circle, for explicit points with whole coordinates close to `d`, where 64 bits are known to be enough for
+[[nodiscard]] std::optional<Sign> orientation(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c);
+[[nodiscard]] std::optional<Sign> in_circle(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c,
+                                            const ExactPosition& d);
+/// Like in_circle, for explicit positions with whole coordinates close to `d`, where 64 bits are known to be enough for
 /// all numbers. Most sets of four cocircular points are of this kind, and this function costs less than the fine bound
 /// of the filter. Returns nothing for other points.
-[[nodiscard]] std::optional<Sign> whole_in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
-                                                  const ExactPoint& d);
-[[nodiscard]] std::optional<std::strong_ordering> compare(const ExactPoint& p, const ExactPoint& q);
+[[nodiscard]] std::optional<Sign> whole_in_circle(const ExactPosition& a, const ExactPosition& b,
+                                                  const ExactPosition& c, const ExactPosition& d);
+[[nodiscard]] std::optional<std::strong_ordering> compare(const ExactPosition& p, const ExactPosition& q);
 
 }  // namespace waywright::exact::lattice

@@ -7,7 +7,7 @@
 
 #include "waywright/memory_use.hpp"
 
-#include "exact/exact_point.hpp"
+#include "exact/exact_position.hpp"
 #include "memory/count.hpp"
 #include "memory/free_list.hpp"
 

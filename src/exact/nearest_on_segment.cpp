@@ -26,19 +26,19 @@ std::strong_ordering compare_scaled(Integer p, int p_exponent, Integer q, int q_
 
 // The points of the line are C + t D with D = d - c. The foot of the perpendicular from P has t = (P - C) . D / D . D.
 // It lies on the segment unless (P - a) . D and (P - b) . D are both positive or both negative.
-NearestOnSegment::NearestOnSegment(const Point& from, const ExactPoint& a, const ExactPoint& b, const Point& c,
+NearestOnSegment::NearestOnSegment(const Point& from, const ExactPosition& a, const ExactPosition& b, const Point& c,
                                    const Point& d) {
   LatticeExponent lattice;
   for (const Point& point : {from, c, d}) lattice.include(point);
   lattice.include(a);
   lattice.include(b);
   exponent_ = lattice.value();
-  const Homogeneous p = to_homogeneous(explicit_point(from), exponent_);
-  const Homogeneous line = to_homogeneous(explicit_point(c), exponent_);
-  const Homogeneous line_end = to_homogeneous(explicit_point(d), exponent_);
+  const Homogeneous p = to_homogeneous(explicit_position(from), exponent_);
+  const Homogeneous line = to_homogeneous(explicit_position(c), exponent_);
+  const Homogeneous line_end = to_homogeneous(explicit_position(d), exponent_);
   const Integer dx = line_end.x - line.x;
   const Integer dy = line_end.y - line.y;
-  const auto beyond = [&](const ExactPoint& end) {
+  const auto beyond = [&](const ExactPosition& end) {
     const Homogeneous q = to_homogeneous(end, exponent_);
     return Integer((p.x * q.w - q.x) * dx + (p.y * q.w - q.y) * dy);
   };
@@ -73,7 +73,7 @@ void NearestOnSegment::set_to_foot(const Homogeneous& p, const Homogeneous& line
   denominator_ = squared_length;
 }
 
-void NearestOnSegment::set_to_end(const ExactPoint& end, const Homogeneous& from) {
+void NearestOnSegment::set_to_end(const ExactPosition& end, const Homogeneous& from) {
   position_ = to_homogeneous(end, exponent_);
   const Integer dx = from.x * position_.w - position_.x;
   const Integer dy = from.y * position_.w - position_.y;

@@ -5,7 +5,7 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
-#include "exact/exact_point.hpp"
+#include "exact/exact_position.hpp"
 #include "exact/homogeneous.hpp"
 #include "exact/integer.hpp"
 
@@ -16,9 +16,9 @@ namespace waywright::exact {
 /// path only because of rounding.
 class NearestOnSegment {
  public:
-  /// The segment from `a` to `b` lies on the line through the explicit points `c` and `d`, and runs in the direction
+  /// The segment from `a` to `b` lies on the line through the explicit positions `c` and `d`, and runs in the direction
   /// from `c` to `d` or in the opposite one. Requires: `c` and `d` differ.
-  NearestOnSegment(const Point& from, const ExactPoint& a, const ExactPoint& b, const Point& c, const Point& d);
+  NearestOnSegment(const Point& from, const ExactPosition& a, const ExactPosition& b, const Point& c, const Point& d);
 
   /// The position, each coordinate rounded to the nearest double.
   [[nodiscard]] Point rounded() const;
@@ -29,7 +29,7 @@ class NearestOnSegment {
 
  private:
   void set_to_foot(const Homogeneous& p, const Homogeneous& line, const Integer& dx, const Integer& dy);
-  void set_to_end(const ExactPoint& end, const Homogeneous& from);
+  void set_to_end(const ExactPosition& end, const Homogeneous& from);
 
   int exponent_;  ///< the unit of all lengths below is 2^exponent_
   Homogeneous position_;

@@ -20,8 +20,8 @@ struct LatticeVector {
   std::int64_t y = 0;
 };
 
-/// A few explicit points as vectors from a common origin, in whole units of the coarsest lattice that contains all of
-/// them. The unit is a power of two, which the caller need not know. The class therefore works equally for integers,
+/// A few explicit positions as vectors from a common origin, in whole units of the coarsest lattice that contains all
+/// of them. The unit is a power of two, which the caller need not know. The class therefore works equally for integers,
 /// multiples of 1/8 and numbers with a few decimals, anywhere in the plane.
 ///
 /// The exact difference of two doubles is the sum of two doubles: the rounded difference and its rounding error (Dekker

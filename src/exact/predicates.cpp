@@ -22,7 +22,7 @@ Answer decide(StageCounts& stages, const std::optional<Answer>& on_lattice, AnyI
 
 }  // namespace
 
-Sign finer_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+Sign finer_orientation(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c) {
   if (const auto sign = filter::fine::orientation(a, b, c)) {
     ++counts.orientation.doubles;
     return *sign;
@@ -30,7 +30,7 @@ Sign finer_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoin
   return decide(counts.orientation, lattice::orientation(a, b, c), [&] { return integers::orientation(a, b, c); });
 }
 
-Sign finer_in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
+Sign finer_in_circle(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c, const ExactPosition& d) {
   if (const auto sign = lattice::whole_in_circle(a, b, c, d)) {
     ++counts.in_circle.lattice;
     return *sign;
@@ -42,7 +42,7 @@ Sign finer_in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint&
   return decide(counts.in_circle, lattice::in_circle(a, b, c, d), [&] { return integers::in_circle(a, b, c, d); });
 }
 
-std::strong_ordering compare_beyond_doubles(const ExactPoint& p, const ExactPoint& q) {
+std::strong_ordering compare_beyond_doubles(const ExactPosition& p, const ExactPosition& q) {
   return decide(counts.order, lattice::compare(p, q), [&] { return integers::compare(p, q); });
 }
 
@@ -64,7 +64,7 @@ int common_lattice(const Points&... points) {
 // The sign of | a.x a.y a.w |
 //             | b.x b.y b.w |
 //             | c.x c.y c.w |, which is the orientation's determinant times a.w b.w c.w > 0.
-Sign orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+Sign orientation(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c) {
   const int lattice = common_lattice(a, b, c);
   const Homogeneous p = to_homogeneous(a, lattice);
   const Homogeneous q = to_homogeneous(b, lattice);
@@ -76,13 +76,13 @@ Sign orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) 
 
 // With dx = p.x d.w - d.x p.w and dy = p.y d.w - d.y p.w, a row of the in-circle determinant about d is (dx p.w, dy
 // p.w, dx^2 + dy^2): the row times (p.w d.w)^2, with a factor d.w > 0 taken out of the first two columns.
-Sign in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
+Sign in_circle(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c, const ExactPosition& d) {
   const int lattice = common_lattice(a, b, c, d);
   const Homogeneous centre = to_homogeneous(d, lattice);
   struct Row {
     Integer x, y, lift;
   };
-  const auto row = [&](const ExactPoint& point) {
+  const auto row = [&](const ExactPosition& point) {
     const Homogeneous p = to_homogeneous(point, lattice);
     const Integer dx = p.x * centre.w - centre.x * p.w;
     const Integer dy = p.y * centre.w - centre.y * p.w;
@@ -96,7 +96,7 @@ Sign in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, co
   return sign_of(determinant);
 }
 
-std::strong_ordering compare(const ExactPoint& p, const ExactPoint& q) {
+std::strong_ordering compare(const ExactPosition& p, const ExactPosition& q) {
   const int lattice = common_lattice(p, q);
   const Homogeneous a = to_homogeneous(p, lattice);
   const Homogeneous b = to_homogeneous(q, lattice);

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "exact/counts.hpp"
-#include "exact/exact_point.hpp"
+#include "exact/exact_position.hpp"
 #include "exact/filter.hpp"
 #include "exact/lattice.hpp"
 #include "exact/sign.hpp"
@@ -20,21 +20,23 @@ namespace waywright::exact {
 
 namespace integers {
 /// The last stage, which is exact for every input in range.
-[[nodiscard]] Sign orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
-[[nodiscard]] Sign in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d);
-[[nodiscard]] std::strong_ordering compare(const ExactPoint& p, const ExactPoint& q);
+[[nodiscard]] Sign orientation(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c);
+[[nodiscard]] Sign in_circle(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c,
+                             const ExactPosition& d);
+[[nodiscard]] std::strong_ordering compare(const ExactPosition& p, const ExactPosition& q);
 }  // namespace integers
 
 namespace detail {
 /// Run the stages after the coarse bound of the filter, one after the other.
-[[nodiscard]] Sign finer_orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
-[[nodiscard]] Sign finer_in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d);
-[[nodiscard]] std::strong_ordering compare_beyond_doubles(const ExactPoint& p, const ExactPoint& q);
+[[nodiscard]] Sign finer_orientation(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c);
+[[nodiscard]] Sign finer_in_circle(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c,
+                                   const ExactPosition& d);
+[[nodiscard]] std::strong_ordering compare_beyond_doubles(const ExactPosition& p, const ExactPosition& q);
 }  // namespace detail
 
 /// The orientation of three points: positive if `c` lies left of the line from `a` to `b` (a, b, c are
 /// counter-clockwise), negative if it lies right of it, zero if it lies on it.
-[[nodiscard]] inline Sign orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+[[nodiscard]] inline Sign orientation(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c) {
   if (const Sign sign = filter::coarse::orientation(a, b, c); sign != Sign::zero) {
     ++counts.orientation.doubles;
     return sign;
@@ -44,8 +46,8 @@ namespace detail {
 
 /// The position of `d` relative to the circle through `a`, `b` and `c`, if these are counter-clockwise: positive
 /// inside, negative outside, zero on it. The sign is reversed if they are clockwise.
-[[nodiscard]] inline Sign in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
-                                    const ExactPoint& d) {
+[[nodiscard]] inline Sign in_circle(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c,
+                                    const ExactPosition& d) {
   if (const Sign sign = filter::coarse::in_circle(a, b, c, d, filter::coarse::in_circle_position_term(d));
       sign != Sign::zero) {
     ++counts.in_circle.doubles;
@@ -59,7 +61,7 @@ namespace detail {
 /// Rounding to nearest is monotone: if two rounded coordinates differ, the exact ones differ in the same direction.
 /// Hence the function needs integers only if the rounded coordinates are equal and at least one of them may have been
 /// rounded.
-[[nodiscard]] inline std::strong_ordering compare(const ExactPoint& p, const ExactPoint& q) {
+[[nodiscard]] inline std::strong_ordering compare(const ExactPosition& p, const ExactPosition& q) {
   if (p.x == q.x && !(p.is_explicit() && q.is_explicit())) return detail::compare_beyond_doubles(p, q);
   ++counts.order.doubles;
   return filter::order(p, q);

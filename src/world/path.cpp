@@ -9,7 +9,7 @@
 
 #include "base/float_environment.hpp"
 #include "base/ieee.hpp"
-#include "exact/exact_point.hpp"
+#include "exact/exact_position.hpp"
 #include "exact/next_coordinate.hpp"
 #include "exact/predicates.hpp"
 #include "path/distance.hpp"
@@ -38,7 +38,7 @@ double next_coordinate(double value, double direction, Precision precision) {
 }
 
 Sign orientation(const Point& a, const Point& b, const Point& c) {
-  return exact::orientation(exact::explicit_point(a), exact::explicit_point(b), exact::explicit_point(c));
+  return exact::orientation(exact::explicit_position(a), exact::explicit_position(b), exact::explicit_position(c));
 }
 
 /// A turn of the path: the index of its point, and its direction, which is zero if there is no turn.

@@ -27,7 +27,7 @@ bool meets(std::span<const Point> points, const Box& box) {
   const constraint::BoxTest test(box);
   if (points.size() == 1) return test.contains(points.front());
   for (std::size_t i = 1; i < points.size(); ++i) {
-    if (test.meets(exact::explicit_point(points[i - 1]), exact::explicit_point(points[i]))) return true;
+    if (test.meets(exact::explicit_position(points[i - 1]), exact::explicit_position(points[i]))) return true;
   }
   return false;
 }

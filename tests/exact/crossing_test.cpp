@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Rounding,
 TEST_P(Rounding, IsToNearest) {
   PointSource source(GetParam(), 5);
   for (int i = 0; i < 1500; ++i) {
-    const exact::ExactPoint p = source.any();
+    const exact::ExactPosition p = source.any();
     if (p.is_explicit()) continue;
     const RationalPoint value = rational(p);
     ASSERT_TRUE(is_nearest(p.x, value.x)) << p.x << " is not nearest to " << value.x;
@@ -54,7 +54,7 @@ TEST_P(Rounding, IsTheSameInEveryStage) {
   PointSource source(GetParam(), 6);
   int in_doubles = 0;
   for (int i = 0; i < 3000; ++i) {
-    const exact::ExactPoint p = source.any();
+    const exact::ExactPosition p = source.any();
     if (p.is_explicit()) continue;
     const exact::Crossing crossing = p.crossing();
     const exact::RoundedCrossing right = exact::integers::round_to_nearest(crossing);
@@ -158,13 +158,13 @@ TEST(Rounding, PositionsNearerToZeroThanTheRangeStayConstructed) {
 }
 
 TEST(Fractions, AreReduced) {
-  EXPECT_EQ(exact::to_fractions(exact::ExactPoint{0.5, -6}), "1 2 -6 1");
-  EXPECT_EQ(exact::to_fractions(exact::ExactPoint{0, 0x1p60}), "0 1 1152921504606846976 1");
+  EXPECT_EQ(exact::to_fractions(exact::ExactPosition{0.5, -6}), "1 2 -6 1");
+  EXPECT_EQ(exact::to_fractions(exact::ExactPosition{0, 0x1p60}), "0 1 1152921504606846976 1");
   // y = x / 3 and y = 1 - x / 3 meet at (3/2, 1/2). y = x / 7 and x = 1 meet at (1, 1/7).
   const exact::Crossing halves{{0, 0}, {3, 1}, {0, 1}, {3, 0}};
-  EXPECT_EQ(exact::to_fractions(exact::ExactPoint{1.5, 0.5, &halves}), "3 2 1 2");
+  EXPECT_EQ(exact::to_fractions(exact::ExactPosition{1.5, 0.5, &halves}), "3 2 1 2");
   const exact::Crossing sevenths{{0, 0}, {7, 1}, {1, -1}, {1, 4}};
-  EXPECT_EQ(exact::to_fractions(exact::ExactPoint{1.0, 1.0 / 7, &sevenths}), "1 1 1 7");
+  EXPECT_EQ(exact::to_fractions(exact::ExactPosition{1.0, 1.0 / 7, &sevenths}), "1 1 1 7");
 }
 
 // A wall from (0, 0) to (1, 3) crosses the wall at y = 1 at x = 1/3. The nearest double is a little less than 1/3. With
@@ -211,7 +211,7 @@ TEST(Geometry, DecidesOrientationsAndSidesOfLines) {
   NearMisses source(NearMiss::crossings, 7);
   std::uint32_t count = 0;
   while (positions.size() < 40) {
-    const exact::ExactPoint point = source.any();
+    const exact::ExactPosition point = source.any();
     if (std::abs(point.x) > 4.0 || std::abs(point.y) > 4.0) continue;
     positions.push_back(rational(point));
     if (point.is_explicit()) {

@@ -10,12 +10,14 @@
 namespace waywright::test {
 namespace {
 
-Sign expected_side(const Point& w, const exact::ExactPoint& x, const exact::ExactPoint& y, const exact::ExactPoint& z) {
+Sign expected_side(const Point& w, const exact::ExactPosition& x, const exact::ExactPosition& y,
+                   const exact::ExactPosition& z) {
   return rational_orientation(rational(w), centre_of_circle(rational(w), rational(x), rational(y)), rational(z));
 }
 
 /// Compares the predicate with the oracle, if the three points of the circle are counter-clockwise.
-void check_side(const Point& w, const exact::ExactPoint& x, const exact::ExactPoint& y, const exact::ExactPoint& z) {
+void check_side(const Point& w, const exact::ExactPosition& x, const exact::ExactPosition& y,
+                const exact::ExactPosition& z) {
   const Sign turn = rational_orientation(rational(w), rational(x), rational(y));
   if (turn == Sign::zero) return;
   const auto& [right, left] = turn == Sign::positive ? std::array{x, y} : std::array{y, x};
@@ -33,9 +35,9 @@ TEST_P(SidesOfDiameters, AgreeWithRationals) {
   for (int i = 0; i < 400 && !HasFailure(); ++i) {
     const Point w = source.point();
     if (!is_in_range(w)) continue;
-    std::array<exact::ExactPoint, 3> points;
+    std::array<exact::ExactPosition, 3> points;
     bool are_in_range = true;
-    for (exact::ExactPoint& point : points) {
+    for (exact::ExactPosition& point : points) {
       point = source.any();
       are_in_range = are_in_range && (!point.is_explicit() || is_in_range(Point{point.x, point.y}));
     }
@@ -47,7 +49,7 @@ TEST_P(SidesOfDiameters, AgreeWithRationals) {
 }
 
 TEST(SidesOfDiameters, IsZeroOppositeToACornerOfARectangle) {
-  const auto corner = [](double x, double y) { return exact::explicit_point({x, y}); };
+  const auto corner = [](double x, double y) { return exact::explicit_position({x, y}); };
   EXPECT_EQ(exact::side_of_diameter({1, 1}, corner(4, 2), corner(-1, 7), corner(2, 8)), Sign::zero);
   EXPECT_EQ(exact::side_of_diameter({1, 1}, corner(4, 2), corner(-1, 7), corner(2, 9)), Sign::positive);
   EXPECT_EQ(exact::side_of_diameter({1, 1}, corner(4, 2), corner(-1, 7), corner(2, 7)), Sign::negative);

@@ -238,9 +238,9 @@ TEST(GapTies, RightAngles) {
 
 /// Moves a crossing. The coordinates stay the nearest doubles, because symmetries commute with rounding.
 struct MovedCrossing {
-  MovedCrossing(const exact::ExactPoint& p, const Symmetry& move) {
+  MovedCrossing(const exact::ExactPosition& p, const Symmetry& move) {
     const Point nearest = move({p.x, p.y});
-    point = exact::explicit_point(nearest);
+    point = exact::explicit_position(nearest);
     if (p.is_explicit()) return;
     crossing = {move(p.ab->a), move(p.ab->b), move(p.cd->a), move(p.cd->b)};
     point = {nearest.x, nearest.y, &crossing};
@@ -249,10 +249,11 @@ struct MovedCrossing {
   MovedCrossing& operator=(const MovedCrossing&) = delete;
 
   exact::Crossing crossing{};
-  exact::ExactPoint point;
+  exact::ExactPosition point;
 };
 
-Sign check_exact_dot(const Point& p, const exact::ExactPoint& q, const Point& a, const Point& b, Answered& answered) {
+Sign check_exact_dot(const Point& p, const exact::ExactPosition& q, const Point& a, const Point& b,
+                     Answered& answered) {
   const Sign expected = sign_of_rational(rational_dot(rational(q) - rational(p), rational(b) - rational(a)));
   EXPECT_EQ(exact::dot(p, q, a, b), expected);
   EXPECT_EQ(exact::dot(p, q, b, a), -expected);
@@ -281,7 +282,7 @@ TEST_P(ExactDots, AgreeWithRationals) {
     }
   };
   for (int i = 0; i < 1500 && !HasFailure(); ++i) {
-    const exact::ExactPoint q = source.any();
+    const exact::ExactPosition q = source.any();
     const Point nearest = {q.x, q.y};
     if (q.is_explicit() && !is_in_range(nearest)) continue;
     const Point p = point(), a = point(), b = point();
@@ -313,7 +314,7 @@ TEST(ExactDotTies, RightAnglesAtALine) {
       const exact::RoundedCrossing rounded = exact::round_to_nearest(crossing);
       if (rounded.is_exact) continue;
       crossings += 1;
-      const exact::ExactPoint q = {rounded.nearest.x, rounded.nearest.y, &crossing};
+      const exact::ExactPosition q = {rounded.nearest.x, rounded.nearest.y, &crossing};
       const Point a = at(away), b = at(away + Point{-along.y, along.x} * 2);
       for (const Point& p : {at(from), at(from + along), at(from - along * 5)}) {
         EXPECT_EQ(check_exact_dot(p, q, a, b, answered), Sign::zero);
@@ -342,7 +343,7 @@ TEST(ExactDotTies, CrossingsOutOfRange) {
   for (const exact::Crossing& crossing : crossings) {
     const exact::RoundedCrossing rounded = exact::integers::round_to_nearest(crossing);
     ASSERT_FALSE(rounded.is_exact);
-    const exact::ExactPoint q = {rounded.nearest.x, rounded.nearest.y, &crossing};
+    const exact::ExactPosition q = {rounded.nearest.x, rounded.nearest.y, &crossing};
     const std::array<Point, 7> points = {
         {{0, 0}, {tiny, 0}, {0, -tiny}, {huge, huge}, {-huge, tiny}, {tiny, tiny + tiny_step}, {1, -3}}};
     for (const Point& p : points) {

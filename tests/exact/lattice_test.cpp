@@ -19,7 +19,7 @@ namespace waywright::test {
 namespace {
 
 using exact::Crossing;
-using exact::ExactPoint;
+using exact::ExactPosition;
 using exact::Integer;
 using exact::Sign;
 
@@ -43,12 +43,12 @@ class LatticeSource {
   }
   Point point() { return {coordinate(), coordinate()}; }
 
-  ExactPoint constructed() {
+  ExactPosition constructed() {
     for (;;) {
       const Crossing crossing{point(), point(), point(), point()};
       const auto& [a, b] = crossing.ab;
       const auto& [c, d] = crossing.cd;
-      const ExactPoint from{0, 0}, ab{b.x - a.x, b.y - a.y}, cd{d.x - c.x, d.y - c.y};
+      const ExactPosition from{0, 0}, ab{b.x - a.x, b.y - a.y}, cd{d.x - c.x, d.y - c.y};
       if (exact::integers::orientation(ab, cd, from) == Sign::zero) continue;
       const exact::RoundedCrossing rounded = exact::integers::round_to_nearest(crossing);
       if (rounded.is_exact) continue;
@@ -56,7 +56,7 @@ class LatticeSource {
       return {rounded.nearest.x, rounded.nearest.y, &crossings_.back()};
     }
   }
-  ExactPoint any() { return random_.chance(50) ? constructed() : exact::explicit_point(point()); }
+  ExactPosition any() { return random_.chance(50) ? constructed() : exact::explicit_position(point()); }
 
  private:
   LatticeKind kind_;
@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Lattice,
 TEST_P(Lattice, AgreesWithIntegersOfAnySize) {
   LatticeSource source(GetParam(), 1);
   for (int i = 0; i < 1500; ++i) {
-    const ExactPoint a = source.any(), b = source.any(), c = source.any(), d = source.any();
+    const ExactPosition a = source.any(), b = source.any(), c = source.any(), d = source.any();
     ASSERT_EQ(exact::lattice::orientation(a, b, c), exact::integers::orientation(a, b, c)) << "call " << i;
     ASSERT_EQ(exact::lattice::in_circle(a, b, c, d), exact::integers::in_circle(a, b, c, d)) << "call " << i;
     ASSERT_EQ(exact::lattice::compare(a, b), exact::integers::compare(a, b)) << "call " << i;
@@ -93,7 +93,7 @@ TEST_P(Lattice, AgreesOnExplicitPoints) {
   LatticeSource source(GetParam(), 2);
   for (int i = 0; i < 3000; ++i) {
     const Point p[] = {source.point(), source.point(), source.point(), source.point()};
-    const ExactPoint a{p[0].x, p[0].y}, b{p[1].x, p[1].y}, c{p[2].x, p[2].y}, d{p[3].x, p[3].y};
+    const ExactPosition a{p[0].x, p[0].y}, b{p[1].x, p[1].y}, c{p[2].x, p[2].y}, d{p[3].x, p[3].y};
     ASSERT_EQ(exact::lattice::orientation(a, b, c), exact::integers::orientation(a, b, c)) << "call " << i;
     ASSERT_EQ(exact::lattice::in_circle(a, b, c, d), exact::integers::in_circle(a, b, c, d)) << "call " << i;
   }
@@ -102,7 +102,7 @@ TEST_P(Lattice, AgreesOnExplicitPoints) {
 TEST_P(Lattice, RoundsCrossingsAsIntegersOfAnySizeDo) {
   LatticeSource source(GetParam(), 3);
   for (int i = 0; i < 3000; ++i) {
-    const ExactPoint p = source.constructed();
+    const ExactPosition p = source.constructed();
     const auto rounded = exact::lattice::round_to_nearest(p.crossing());
     if (GetParam().centre != 0 && !rounded) continue;
     ASSERT_TRUE(rounded.has_value());
@@ -116,42 +116,44 @@ TEST_P(Lattice, FindsPointsOnALine) {
   LatticeSource source(GetParam(), 4);
   const Point a = source.point(), b = source.point();
   for (int i = 0; i < 300; ++i) {
-    ExactPoint p = source.constructed();
+    ExactPosition p = source.constructed();
     const auto& [c, d] = *p.cd;
     const Crossing on_line{a, b, c, d};
-    const ExactPoint from{0, 0}, ab{b.x - a.x, b.y - a.y};
-    const ExactPoint cd{d.x - c.x, d.y - c.y};
+    const ExactPosition from{0, 0}, ab{b.x - a.x, b.y - a.y};
+    const ExactPosition cd{d.x - c.x, d.y - c.y};
     if (exact::integers::orientation(ab, cd, from) == Sign::zero) continue;
     const Point nearest = exact::round_to_nearest(on_line).nearest;
     p = {nearest.x, nearest.y, &on_line};
-    ASSERT_EQ(exact::lattice::orientation(exact::explicit_point(a), exact::explicit_point(b), p), Sign::zero);
+    ASSERT_EQ(exact::lattice::orientation(exact::explicit_position(a), exact::explicit_position(b), p), Sign::zero);
   }
 }
 
 TEST(LatticeStage, KnowsCirclesOfIntegersAndOfDecimals) {
   // (±1, ±7), (±7, ±1) and (±5, ±5) lie on one circle. If one point moves in or out by a unit of 2^-40, it leaves the
   // circle.
-  const ExactPoint a{7, 1}, b{-5, 5}, c{-1, -7}, d{5, -5};
+  const ExactPosition a{7, 1}, b{-5, 5}, c{-1, -7}, d{5, -5};
   EXPECT_EQ(exact::lattice::in_circle(a, b, c, d), Sign::zero);
-  EXPECT_EQ(exact::lattice::in_circle(a, b, c, ExactPoint{5 - 0x1p-40, -5}), Sign::positive);
-  EXPECT_EQ(exact::lattice::in_circle(a, b, c, ExactPoint{5 + 0x1p-40, -5}), Sign::negative);
+  EXPECT_EQ(exact::lattice::in_circle(a, b, c, ExactPosition{5 - 0x1p-40, -5}), Sign::positive);
+  EXPECT_EQ(exact::lattice::in_circle(a, b, c, ExactPosition{5 + 0x1p-40, -5}), Sign::negative);
   // The doubles nearest to 0.1, 0.2 and 0.3 are not these numbers. Still the corners of the square lie on one circle.
-  const ExactPoint low{0.1, 0.2}, right{0.3, 0.2}, high{0.3, 0.7}, left{0.1, 0.7};
+  const ExactPosition low{0.1, 0.2}, right{0.3, 0.2}, high{0.3, 0.7}, left{0.1, 0.7};
   EXPECT_EQ(exact::lattice::in_circle(low, right, high, left), Sign::zero);
-  EXPECT_EQ(exact::lattice::orientation(ExactPoint{0.1, 0.1}, ExactPoint{0.2, 0.2}, ExactPoint{0.3, 0.3}), Sign::zero);
+  EXPECT_EQ(exact::lattice::orientation(ExactPosition{0.1, 0.1}, ExactPosition{0.2, 0.2}, ExactPosition{0.3, 0.3}),
+            Sign::zero);
   // The double 0.3 is below 3 times the double 0.1, so (0.3, 0.1 + 0.2) lies above the line x = y.
-  EXPECT_EQ(exact::lattice::orientation(ExactPoint{0.1, 0.1}, ExactPoint{0.2, 0.2}, ExactPoint{0.3, 0.1 + 0.2}),
-            Sign::positive);
+  EXPECT_EQ(
+      exact::lattice::orientation(ExactPosition{0.1, 0.1}, ExactPosition{0.2, 0.2}, ExactPosition{0.3, 0.1 + 0.2}),
+      Sign::positive);
 }
 
 TEST(LatticeStage, LeavesTheRestToIntegersOfAnySize) {
-  const ExactPoint a{0, 0}, b{4, 0}, c{4, 4};
-  const ExactPoint fine{0x1p-60, 1}, far{0x1p62, 0};
+  const ExactPosition a{0, 0}, b{4, 0}, c{4, 4};
+  const ExactPosition fine{0x1p-60, 1}, far{0x1p62, 0};
   EXPECT_EQ(exact::lattice::orientation(a, b, fine), std::nullopt);
   EXPECT_EQ(exact::lattice::in_circle(fine, b, c, a), std::nullopt);
-  EXPECT_EQ(exact::lattice::in_circle(a, b, ExactPoint{4.5, 4}, far), std::nullopt);
+  EXPECT_EQ(exact::lattice::in_circle(a, b, ExactPosition{4.5, 4}, far), std::nullopt);
   const Crossing crossing{{0, 0}, {9, 3}, {0, 0x1p-60}, {7, 0}};
-  EXPECT_EQ(exact::lattice::compare(ExactPoint{0, 0, &crossing}, a), std::nullopt);
+  EXPECT_EQ(exact::lattice::compare(ExactPosition{0, 0, &crossing}, a), std::nullopt);
   EXPECT_EQ(exact::lattice::round_to_nearest(crossing), std::nullopt);
 }
 

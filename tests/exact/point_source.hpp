@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/crossing.hpp"
-#include "exact/exact_point.hpp"
+#include "exact/exact_position.hpp"
 #include "exact/rational.hpp"
 #include "support/random.hpp"
 
@@ -41,8 +41,8 @@ class PointSource {
 
   /// Returns a random point. Half of the points are crossings; many of these have segments that share an end or a line
   /// with an earlier crossing.
-  exact::ExactPoint any() {
-    if (random_.chance(50)) return exact::explicit_point(point());
+  exact::ExactPosition any() {
+    if (random_.chance(50)) return exact::explicit_position(point());
     for (;;) {
       exact::Crossing crossing{point(), point(), point(), point()};
       if (!crossings_.empty() && random_.chance(60)) {
@@ -52,7 +52,7 @@ class PointSource {
       }
       if (!in_range(crossing) || is_parallel(crossing)) continue;
       const exact::RoundedCrossing rounded = exact::round_to_nearest(crossing);
-      if (rounded.is_exact) return exact::explicit_point(rounded.nearest);
+      if (rounded.is_exact) return exact::explicit_position(rounded.nearest);
       crossings_.push_back(crossing);
       return {rounded.nearest.x, rounded.nearest.y, &crossings_.back()};
     }

@@ -18,7 +18,7 @@ namespace waywright::test {
 
 namespace {
 
-using exact::ExactPoint;
+using exact::ExactPosition;
 using exact::Sign;
 
 class Predicates : public testing::TestWithParam<PointSource::Kind> {};
@@ -34,7 +34,7 @@ bool is_open_or(Sign expected, Sign bounded) { return bounded == Sign::zero || b
 TEST_P(Predicates, OrientationAgreesWithRationals) {
   PointSource source(GetParam(), 1);
   for (int i = 0; i < 1500; ++i) {
-    const ExactPoint a = source.any(), b = source.any(), c = source.any();
+    const ExactPosition a = source.any(), b = source.any(), c = source.any();
     const Sign expected = rational_orientation(rational(a), rational(b), rational(c));
     ASSERT_EQ(exact::orientation(a, b, c), expected) << "call " << i;
     ASSERT_EQ(exact::integers::orientation(a, b, c), expected) << "call " << i;
@@ -50,7 +50,7 @@ TEST_P(Predicates, OrientationAgreesWithRationals) {
 TEST_P(Predicates, InCircleAgreesWithRationals) {
   PointSource source(GetParam(), 2);
   for (int i = 0; i < 1000; ++i) {
-    const ExactPoint a = source.any(), b = source.any(), c = source.any(), d = source.any();
+    const ExactPosition a = source.any(), b = source.any(), c = source.any(), d = source.any();
     const Sign expected = rational_in_circle(rational(a), rational(b), rational(c), rational(d));
     ASSERT_EQ(exact::in_circle(a, b, c, d), expected) << "call " << i;
     ASSERT_EQ(exact::integers::in_circle(a, b, c, d), expected) << "call " << i;
@@ -67,7 +67,7 @@ TEST_P(Predicates, InCircleAgreesWithRationals) {
 TEST_P(Predicates, OrderAgreesWithRationals) {
   PointSource source(GetParam(), 3);
   for (int i = 0; i < 2000; ++i) {
-    const ExactPoint p = source.any(), q = source.random().chance(20) ? p : source.any();
+    const ExactPosition p = source.any(), q = source.random().chance(20) ? p : source.any();
     const Sign expected = rational_order(rational(p), rational(q));
     ASSERT_EQ(exact::compare(p, q) < 0, expected == Sign::negative);
     ASSERT_EQ(exact::compare(p, q) == 0, expected == Sign::zero);
@@ -83,15 +83,15 @@ TEST(Filter, IsNeverWrongNextToZero) {
   for (int i = 0; i < 20000; ++i) {
     const auto nudge = [&] { return static_cast<double>(random.between(-2, 2)) * 0x1p-52; };
     const double t = static_cast<double>(random.between(0, 1 << 20)) * 0x1p-20;
-    const ExactPoint a{0.1, 0.1}, b{0.9, 0.9}, c{t + nudge(), t + nudge()};
+    const ExactPosition a{0.1, 0.1}, b{0.9, 0.9}, c{t + nudge(), t + nudge()};
     const auto filtered = exact::filter::fine::orientation(a, b, c);
     if (!filtered) {
       ++undecided;
     } else {
       ASSERT_EQ(*filtered, rational_orientation(rational(a), rational(b), rational(c)));
     }
-    const ExactPoint d{0.6 + nudge(), 0.8 + nudge()};
-    const ExactPoint east{1.0, nudge()}, north{nudge(), 1.0}, west{-1.0, nudge()};
+    const ExactPosition d{0.6 + nudge(), 0.8 + nudge()};
+    const ExactPosition east{1.0, nudge()}, north{nudge(), 1.0}, west{-1.0, nudge()};
     const auto circled = exact::filter::fine::in_circle(east, north, west, d);
     if (circled) {
       ASSERT_EQ(*circled, rational_in_circle(rational(east), rational(north), rational(west), rational(d)));
@@ -101,45 +101,45 @@ TEST(Filter, IsNeverWrongNextToZero) {
 }
 
 TEST(Filter, DecidesPlainCasesAlone) {
-  const ExactPoint a{0, 0}, b{4, 0}, c{0, 4};
+  const ExactPosition a{0, 0}, b{4, 0}, c{0, 4};
   EXPECT_EQ(exact::filter::fine::orientation(a, b, c), Sign::positive);
-  EXPECT_EQ(exact::filter::fine::orientation(a, b, ExactPoint{9, 0}), Sign::zero);
-  EXPECT_EQ(exact::filter::fine::in_circle(a, b, c, ExactPoint{1, 1}), Sign::positive);
-  EXPECT_EQ(exact::filter::fine::in_circle(a, b, c, ExactPoint{9, 9}), Sign::negative);
+  EXPECT_EQ(exact::filter::fine::orientation(a, b, ExactPosition{9, 0}), Sign::zero);
+  EXPECT_EQ(exact::filter::fine::in_circle(a, b, c, ExactPosition{1, 1}), Sign::positive);
+  EXPECT_EQ(exact::filter::fine::in_circle(a, b, c, ExactPosition{9, 9}), Sign::negative);
 }
 
 TEST(Filter, DecidesPlainCasesByItsCoarseBounds) {
-  const ExactPoint a{0, 0}, b{4, 0}, c{0, 4};
+  const ExactPosition a{0, 0}, b{4, 0}, c{0, 4};
   EXPECT_EQ(exact::filter::coarse::orientation(a, b, c), Sign::positive);
   EXPECT_EQ(exact::filter::coarse::orientation(b, a, c), Sign::negative);
-  EXPECT_EQ(exact::filter::coarse::orientation(a, b, ExactPoint{9, 0}), Sign::zero);
+  EXPECT_EQ(exact::filter::coarse::orientation(a, b, ExactPosition{9, 0}), Sign::zero);
   EXPECT_EQ(orientation_in_box(a, b, c), Sign::positive);
-  EXPECT_EQ(orientation_in_box(a, b, ExactPoint{9, 0}), Sign::zero);
-  EXPECT_EQ(coarse_in_circle(a, b, c, ExactPoint{1, 1}), Sign::positive);
-  EXPECT_EQ(in_circle_in_box(a, b, c, ExactPoint{1, 1}), Sign::positive);
-  EXPECT_EQ(coarse_in_circle(a, b, c, ExactPoint{9, 9}), Sign::negative);
-  EXPECT_EQ(in_circle_in_box(a, b, c, ExactPoint{9, 9}), Sign::negative);
-  EXPECT_EQ(coarse_in_circle(a, b, c, ExactPoint{4, 4}), Sign::zero);
-  EXPECT_EQ(in_circle_in_box(a, b, c, ExactPoint{4, 4}), Sign::zero);
+  EXPECT_EQ(orientation_in_box(a, b, ExactPosition{9, 0}), Sign::zero);
+  EXPECT_EQ(coarse_in_circle(a, b, c, ExactPosition{1, 1}), Sign::positive);
+  EXPECT_EQ(in_circle_in_box(a, b, c, ExactPosition{1, 1}), Sign::positive);
+  EXPECT_EQ(coarse_in_circle(a, b, c, ExactPosition{9, 9}), Sign::negative);
+  EXPECT_EQ(in_circle_in_box(a, b, c, ExactPosition{9, 9}), Sign::negative);
+  EXPECT_EQ(coarse_in_circle(a, b, c, ExactPosition{4, 4}), Sign::zero);
+  EXPECT_EQ(in_circle_in_box(a, b, c, ExactPosition{4, 4}), Sign::zero);
 }
 
 // Points a metre apart, thousands of kilometres from the origin, as in survey data.
 TEST(Filter, DecidesPointsFarFromTheOriginByItsCoarseBounds) {
-  const ExactPoint a{4500000.25, 5300000.5}, b{4500001.25, 5300000.5}, c{4500000.25, 5300001.75};
+  const ExactPosition a{4500000.25, 5300000.5}, b{4500001.25, 5300000.5}, c{4500000.25, 5300001.75};
   EXPECT_EQ(exact::filter::coarse::orientation(a, b, c), Sign::positive);
   EXPECT_EQ(orientation_in_box(a, b, c), Sign::positive);
-  EXPECT_EQ(coarse_in_circle(a, b, c, ExactPoint{4500000.5, 5300000.75}), Sign::positive);
-  EXPECT_EQ(in_circle_in_box(a, b, c, ExactPoint{4500000.5, 5300000.75}), Sign::positive);
+  EXPECT_EQ(coarse_in_circle(a, b, c, ExactPosition{4500000.5, 5300000.75}), Sign::positive);
+  EXPECT_EQ(in_circle_in_box(a, b, c, ExactPosition{4500000.5, 5300000.75}), Sign::positive);
 }
 
 TEST(Rectangle, IsRecognisedByItsCornersInAnyOrder) {
-  std::array<ExactPoint, 4> corners = {{{0.1, 0.3}, {0.7, 0.3}, {0.7, 0.9}, {0.1, 0.9}}};
+  std::array<ExactPosition, 4> corners = {{{0.1, 0.3}, {0.7, 0.3}, {0.7, 0.9}, {0.1, 0.9}}};
   std::array<std::size_t, 4> order = {0, 1, 2, 3};
   do {
     const auto corner = [&](std::size_t i) { return corners[order[i]]; };
     EXPECT_TRUE(exact::filter::is_rectangle(corner(0), corner(1), corner(2), corner(3)));
     for (std::size_t moved = 0; moved < 4; ++moved) {
-      std::array<ExactPoint, 4> others = {corner(0), corner(1), corner(2), corner(3)};
+      std::array<ExactPosition, 4> others = {corner(0), corner(1), corner(2), corner(3)};
       (order[0] % 2 == 0 ? others[moved].x : others[moved].y) = 0.5;
       EXPECT_FALSE(exact::filter::is_rectangle(others[0], others[1], others[2], others[3]));
     }
@@ -148,7 +148,7 @@ TEST(Rectangle, IsRecognisedByItsCornersInAnyOrder) {
 
 TEST(WholeNumbers, AcceptOnlyWhatFits) {
   // The corners of a square lie on one circle. For a side of s, the squares of the offsets add up to 4 s^2.
-  const auto corner = [](double side, double x, double y) { return ExactPoint{side * x, side * y}; };
+  const auto corner = [](double side, double x, double y) { return ExactPosition{side * x, side * y}; };
   const auto ask = [&](double side) {
     return exact::lattice::whole_in_circle(corner(side, 0, 0), corner(side, 1, 0), corner(side, 1, 1),
                                            corner(side, 0, 1));
@@ -172,10 +172,10 @@ TEST(Constructed, LiesOnBothItsLinesAndIsNoDouble) {
   const exact::Crossing crossing{a, b, c, d};
   const exact::RoundedCrossing rounded = exact::round_to_nearest(crossing);
   EXPECT_FALSE(rounded.is_exact);
-  const ExactPoint p{rounded.nearest.x, rounded.nearest.y, &crossing};
-  EXPECT_EQ(exact::orientation(exact::explicit_point(a), exact::explicit_point(b), p), Sign::zero);
-  EXPECT_EQ(exact::orientation(p, exact::explicit_point(d), exact::explicit_point(c)), Sign::zero);
-  EXPECT_NE(exact::compare(p, ExactPoint{p.x, p.y}), std::strong_ordering::equal);
+  const ExactPosition p{rounded.nearest.x, rounded.nearest.y, &crossing};
+  EXPECT_EQ(exact::orientation(exact::explicit_position(a), exact::explicit_position(b), p), Sign::zero);
+  EXPECT_EQ(exact::orientation(p, exact::explicit_position(d), exact::explicit_position(c)), Sign::zero);
+  EXPECT_NE(exact::compare(p, ExactPosition{p.x, p.y}), std::strong_ordering::equal);
 }
 
 TEST(Constructed, OnePositionHasOneValueWhateverPairMadeIt) {
@@ -185,8 +185,8 @@ TEST(Constructed, OnePositionHasOneValueWhateverPairMadeIt) {
   const exact::RoundedCrossing p = exact::round_to_nearest(first);
   const exact::RoundedCrossing q = exact::round_to_nearest(second);
   EXPECT_EQ(p.nearest, q.nearest);
-  const ExactPoint one{p.nearest.x, p.nearest.y, &first};
-  const ExactPoint other{q.nearest.x, q.nearest.y, &second};
+  const ExactPosition one{p.nearest.x, p.nearest.y, &first};
+  const ExactPosition other{q.nearest.x, q.nearest.y, &second};
   EXPECT_EQ(exact::compare(one, other), std::strong_ordering::equal);
   EXPECT_EQ(exact::to_fractions(one), "42 13 14 13");
   EXPECT_EQ(exact::to_fractions(other), "42 13 14 13");
@@ -198,16 +198,16 @@ TEST(RealData, SignsOfNastyPredicates) {
   const std::filesystem::path folder = data_folder() / "nasty" / "predicates";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder << ": set WAYWRIGHT_DATA to the data folder";
   std::size_t lines = 0;
-  const auto read = [&](std::ifstream& file, std::span<ExactPoint> points, int& expected) {
+  const auto read = [&](std::ifstream& file, std::span<ExactPosition> points, int& expected) {
     int id = 0;
     if (!(file >> id)) return false;
-    for (ExactPoint& point : points) file >> point.x >> point.y;
+    for (ExactPosition& point : points) file >> point.x >> point.y;
     file >> expected;
     ++lines;
     return true;
   };
   int expected = 0;
-  std::array<ExactPoint, 4> p;
+  std::array<ExactPosition, 4> p;
   std::ifstream orientations(folder / "orient2d.txt");
   while (read(orientations, std::span(p).first(3), expected)) {
     ASSERT_EQ(static_cast<int>(exact::orientation(p[0], p[1], p[2])), expected) << "orient2d, line " << lines;

@@ -2,7 +2,7 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include "exact/exact_point.hpp"
+#include "exact/exact_position.hpp"
 #include "exact/sign.hpp"
 
 /// Plain rationals and the textbook formulas. Tests compare the predicates with them.
@@ -16,7 +16,7 @@ struct RationalPoint {
 
 inline RationalPoint rational(const Point& p) { return {Rational(p.x), Rational(p.y)}; }
 
-inline RationalPoint rational(const exact::ExactPoint& p) {
+inline RationalPoint rational(const exact::ExactPosition& p) {
   if (p.is_explicit()) return rational(Point{p.x, p.y});
   // Cramer's rule on the equations n . p = k of the two lines.
   const RationalPoint pa = rational(p.ab->a), pb = rational(p.ab->b), pc = rational(p.cd->a), pd = rational(p.cd->b);

@@ -44,7 +44,7 @@ class NearMisses {
     while (points_.size() < 1000) add(kind);
   }
 
-  [[nodiscard]] const exact::ExactPoint& any() { return points_[random_.below(points_.size())]; }
+  [[nodiscard]] const exact::ExactPosition& any() { return points_[random_.below(points_.size())]; }
 
  private:
   double between(std::int64_t low, std::int64_t high) { return static_cast<double>(random_.between(low, high)); }
@@ -92,7 +92,7 @@ class NearMisses {
     if ((b.x - a.x) * (d.y - c.y) == (b.y - a.y) * (d.x - c.x)) return;
     const exact::RoundedCrossing rounded = exact::integers::round_to_nearest(crossing);
     if (rounded.is_exact) {
-      points_.push_back(exact::explicit_point(rounded.nearest));
+      points_.push_back(exact::explicit_position(rounded.nearest));
       return;
     }
     crossings_.push_back(crossing);
@@ -101,7 +101,7 @@ class NearMisses {
 
   Random random_;
   std::deque<exact::Crossing> crossings_;
-  std::vector<exact::ExactPoint> points_;
+  std::vector<exact::ExactPosition> points_;
 };
 
 struct Agreement {
@@ -121,23 +121,23 @@ struct Agreement {
 };
 
 /// Returns the sign that the bounds give for a box that holds just these points.
-inline exact::Sign orientation_in_box(const exact::ExactPoint& a, const exact::ExactPoint& b,
-                                      const exact::ExactPoint& c) {
+inline exact::Sign orientation_in_box(const exact::ExactPosition& a, const exact::ExactPosition& b,
+                                      const exact::ExactPosition& c) {
   const Box box = {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
                    {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}};
   return exact::filter::sign_beyond(exact::filter::orientation_determinant(a, b, c),
                                     exact::filter::largest_orientation_error(box));
 }
 
-inline exact::Sign in_circle_in_box(const exact::ExactPoint& a, const exact::ExactPoint& b, const exact::ExactPoint& c,
-                                    const exact::ExactPoint& d) {
+inline exact::Sign in_circle_in_box(const exact::ExactPosition& a, const exact::ExactPosition& b,
+                                    const exact::ExactPosition& c, const exact::ExactPosition& d) {
   const Box box = {{std::min({a.x, b.x, c.x, d.x}), std::min({a.y, b.y, c.y, d.y})},
                    {std::max({a.x, b.x, c.x, d.x}), std::max({a.y, b.y, c.y, d.y})}};
   return exact::filter::coarse::in_circle(a, b, c, d, exact::filter::coarse::in_circle_position_term(box));
 }
 /// Returns the sign that the coarse bound gives from the position of the last point alone.
-inline exact::Sign coarse_in_circle(const exact::ExactPoint& a, const exact::ExactPoint& b, const exact::ExactPoint& c,
-                                    const exact::ExactPoint& d) {
+inline exact::Sign coarse_in_circle(const exact::ExactPosition& a, const exact::ExactPosition& b,
+                                    const exact::ExactPosition& c, const exact::ExactPosition& d) {
   return exact::filter::coarse::in_circle(a, b, c, d, exact::filter::coarse::in_circle_position_term(d));
 }
 
@@ -151,7 +151,7 @@ inline Agreement compare_stages(NearMiss kind, std::uint64_t seed, std::uint64_t
   };
   const auto differ = [](const auto& one, const auto& other) { return one && other && *one != *other; };
   for (; result.calls < calls && result.fault.empty(); ++result.calls) {
-    const exact::ExactPoint &a = source.any(), &b = source.any(), &c = source.any(), &d = source.any();
+    const exact::ExactPosition &a = source.any(), &b = source.any(), &c = source.any(), &d = source.any();
     const auto turn = exact::filter::fine::orientation(a, b, c);
     const exact::Sign coarse_turn = exact::filter::coarse::orientation(a, b, c);
     const exact::Sign boxed_turn = orientation_in_box(a, b, c);

@@ -11,7 +11,7 @@ namespace waywright::test {
 namespace {
 
 using exact::Crossing;
-using exact::ExactPoint;
+using exact::ExactPosition;
 
 /// Returns how many decisions of each stage `call` adds to the counts of one question.
 template <class Call>
@@ -31,13 +31,13 @@ const Crossing kPlain{{0, 0}, {9, 3}, {0, 2}, {7, 0}};
 // As `kPlain`, but one end does not lie on a common lattice with the others within 2^62.
 const Crossing kFine{{0x1p-60, 0}, {9, 3}, {0, 2}, {7, 0}};
 
-ExactPoint at(const Crossing& crossing) {
+ExactPosition at(const Crossing& crossing) {
   const Point nearest = exact::integers::round_to_nearest(crossing).nearest;
   return {nearest.x, nearest.y, &crossing};
 }
 
 TEST(Stages, OfOrientations) {
-  const auto asks = [](const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+  const auto asks = [](const ExactPosition& a, const ExactPosition& b, const ExactPosition& c) {
     return added(&PredicateCounts::orientation, [&] { static_cast<void>(exact::orientation(a, b, c)); });
   };
   EXPECT_EQ(asks({0, 0}, {4, 0}, {0, 4}), kDoubles);
@@ -51,7 +51,7 @@ TEST(Stages, OfOrientations) {
 }
 
 TEST(Stages, OfInCircles) {
-  const auto asks = [](const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
+  const auto asks = [](const ExactPosition& a, const ExactPosition& b, const ExactPosition& c, const ExactPosition& d) {
     return added(&PredicateCounts::in_circle, [&] { static_cast<void>(exact::in_circle(a, b, c, d)); });
   };
   EXPECT_EQ(asks({0, 0}, {4, 0}, {0, 4}, {1, 1}), kDoubles);
@@ -74,10 +74,10 @@ TEST(Stages, OfInCirclesAboutRectangles) {
 }
 
 TEST(Stages, OfOrders) {
-  const auto asks = [](const ExactPoint& p, const ExactPoint& q) {
+  const auto asks = [](const ExactPosition& p, const ExactPosition& q) {
     return added(&PredicateCounts::order, [&] { static_cast<void>(exact::compare(p, q)); });
   };
-  const ExactPoint p = at(kPlain);
+  const ExactPosition p = at(kPlain);
   EXPECT_EQ(asks({0, 0}, {0, 4}), kDoubles);
   EXPECT_EQ(asks({1, 0}, p), kDoubles);
   EXPECT_EQ(asks({p.x, 0}, p), kLattice);  // the nearest doubles agree, so the exact order of x is open

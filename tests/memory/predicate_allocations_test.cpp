@@ -17,7 +17,7 @@ TEST(PredicateAllocations, OnALatticeThereAreNone) {
     Random random(1);
     const auto coordinate = [&] { return static_cast<double>(random.between(-20, 20)) * unit; };
     std::deque<exact::Crossing> crossings;
-    std::vector<exact::ExactPoint> points;
+    std::vector<exact::ExactPosition> points;
     while (points.size() < 60) {
       points.push_back({coordinate(), coordinate()});
       const exact::Crossing crossing{
@@ -29,8 +29,8 @@ TEST(PredicateAllocations, OnALatticeThereAreNone) {
     const std::size_t before = allocation_count();
     int sum = 0;
     for (int i = 0; i < 20000; ++i) {
-      const exact::ExactPoint &a = points[random.below(60)], &b = points[random.below(60)];
-      const exact::ExactPoint &c = points[random.below(60)], &d = points[random.below(60)];
+      const exact::ExactPosition &a = points[random.below(60)], &b = points[random.below(60)];
+      const exact::ExactPosition &c = points[random.below(60)], &d = points[random.below(60)];
       sum += static_cast<int>(exact::orientation(a, b, c)) + static_cast<int>(exact::in_circle(a, b, c, d));
       sum += static_cast<int>(exact::lattice::orientation(a, b, c).value()) - (exact::compare(a, b) < 0 ? 1 : 0);
       sum += static_cast<int>(exact::lattice::in_circle(a, b, c, d).value());

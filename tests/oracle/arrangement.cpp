@@ -85,7 +85,7 @@ std::vector<Arrangement::Crossing> Arrangement::find_crossings() const {
 }
 
 void Arrangement::merge_vertices(const std::vector<OraclePoint>& corners, std::vector<Crossing> crossings) {
-  std::vector<ExactPoint> positions;
+  std::vector<ExactPosition> positions;
   for (const OraclePoint& p : corners) positions.push_back(grid.point(p));
   for (Crossing& crossing : crossings) positions.push_back(std::move(crossing.at));
   std::vector<std::uint32_t> order(positions.size());

@@ -15,8 +15,8 @@ namespace waywright::oracle {
 struct Wall {
   OraclePoint a;
   OraclePoint b;
-  ExactPoint exact_a;
-  ExactPoint exact_b;
+  ExactPosition exact_a;
+  ExactPosition exact_b;
   std::vector<std::uint64_t> ids;
   /// All vertices on the segment, from a to b.
   std::vector<std::uint32_t> vertices;
@@ -28,7 +28,7 @@ struct Arrangement {
 
   Grid grid;
   std::vector<Wall> walls;
-  std::vector<ExactPoint> vertices;        ///< in (x, y) order
+  std::vector<ExactPosition> vertices;     ///< in (x, y) order
   std::vector<OraclePoint> near_vertices;  ///< correctly rounded
   std::vector<OracleConstraint> constraints;
   std::size_t crossing_count = 0;  ///< vertices that are not the corner or point of an item
@@ -40,7 +40,7 @@ struct Arrangement {
   struct Crossing {
     std::uint32_t first_wall = 0;
     std::uint32_t second_wall = 0;
-    ExactPoint at;
+    ExactPosition at;
   };
 
   void collect_walls(const OracleScene& scene);

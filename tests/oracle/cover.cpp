@@ -21,7 +21,7 @@ namespace {
 
 // Above its inside, a counter-clockwise ring runs towards smaller x; to the right of its inside, it runs towards larger
 // y. No ray next to a side that is parallel to the ray crosses that side, so for such a side any result is correct.
-int turn_of(const ExactPoint& p, const ExactPoint& q, bool across_x) {
+int turn_of(const ExactPosition& p, const ExactPosition& q, bool across_x) {
   const int direction = across_x ? compare_y(q, p) : compare_x(p, q);
   return direction > 0 ? 1 : direction < 0 ? -1 : 0;
 }
@@ -32,14 +32,14 @@ int turn_of(const ExactPoint& p, const ExactPoint& q, bool across_x) {
 // lies beyond the ray's line and the other does not. An end on the line does not lie beyond it, so a ray through a
 // corner counts correctly. A side through the position itself does not cross the ray that starts just after the
 // position; it crosses the ray that starts just before.
-Cover cover_of(const Solid& solid, const ExactPoint& position, bool across_x) {
+Cover cover_of(const Solid& solid, const ExactPosition& position, bool across_x) {
   Cover cover;
   int turns_ahead = 0;
   int turns_here = 0;
   for (const auto& ring : solid.rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const ExactPoint& p = ring[i];
-      const ExactPoint& q = ring[i + 1 < ring.size() ? i + 1 : 0];
+      const ExactPosition& p = ring[i];
+      const ExactPosition& q = ring[i + 1 < ring.size() ? i + 1 : 0];
       if (on_segment(p, q, position)) {
         cover.on_boundary = true;
         turns_here += turn_of(p, q, across_x);

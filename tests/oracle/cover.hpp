@@ -11,7 +11,7 @@ namespace waywright::oracle {
 /// The exact rings of a polygon.
 struct Solid {
   std::uint64_t id = 0;
-  std::vector<std::vector<ExactPoint>> rings;
+  std::vector<std::vector<ExactPosition>> rings;
   bool is_nonzero = false;  ///< whether the fill rule is nonzero, not even-odd
 };
 
@@ -28,6 +28,6 @@ struct Cover {
 /// Returns the relation of `position` to the polygon. `inside_after` and `inside_before` are correct if the position is
 /// not a corner and all sides through it lie on one line. If the position is not on the boundary, both are equal. With
 /// `across_x`, they describe the left and the right instead of below and above.
-[[nodiscard]] Cover cover_of(const Solid& solid, const ExactPoint& position, bool across_x = false);
+[[nodiscard]] Cover cover_of(const Solid& solid, const ExactPosition& position, bool across_x = false);
 
 }  // namespace waywright::oracle

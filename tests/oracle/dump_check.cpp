@@ -44,7 +44,7 @@ Fault compare_lines(std::string_view name, const std::vector<std::string_view>& 
 
 Fault check_vertices(const DumpText& dump, const Arrangement& arrangement) {
   std::vector<std::string> expected;
-  for (const ExactPoint& p : arrangement.vertices) expected.push_back(arrangement.grid.text(p));
+  for (const ExactPosition& p : arrangement.vertices) expected.push_back(arrangement.grid.text(p));
   const Fault difference = compare_lines("vertex", dump.vertices, expected);
   if (!difference) return std::nullopt;
   for (std::size_t i = 0; i < dump.vertices.size(); ++i) {

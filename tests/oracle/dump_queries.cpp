@@ -18,7 +18,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// Returns, for the edge from each corner k of a triangle to the next corner, where the position lies: 1 inside, 0 on
 /// the edge's line, -1 outside.
-std::array<int, 3> sides_of(const Arrangement& arrangement, const Triangle& t, const ExactPoint& position) {
+std::array<int, 3> sides_of(const Arrangement& arrangement, const Triangle& t, const ExactPosition& position) {
   const auto& v = arrangement.vertices;
   std::array<int, 3> sides{};
   for (std::size_t k = 0; k < 3; ++k) sides[k] = orientation(v[t[k]], v[t[(k + 1) % 3]], position);
@@ -28,7 +28,7 @@ std::array<int, 3> sides_of(const Arrangement& arrangement, const Triangle& t, c
 bool touches(const std::array<int, 3>& sides) { return sides[0] >= 0 && sides[1] >= 0 && sides[2] >= 0; }
 
 OracleLocation location_of(const Arrangement& arrangement, const std::vector<Triangle>& triangles,
-                           const ExactPoint& p) {
+                           const ExactPosition& p) {
   for (const Triangle& t : triangles) {
     const std::array<int, 3> sides = sides_of(arrangement, t, p);
     if (!touches(sides)) continue;
@@ -47,7 +47,7 @@ OracleLocation location_of(const Arrangement& arrangement, const std::vector<Tri
 
 bool is_free(const std::vector<Solid>& solids, const Arrangement& arrangement, const Triangle& t) {
   const auto& v = arrangement.vertices;
-  const ExactPoint inner = Grid::midpoint(v[t[0]], Grid::midpoint(v[t[1]], v[t[2]]));
+  const ExactPosition inner = Grid::midpoint(v[t[0]], Grid::midpoint(v[t[1]], v[t[2]]));
   return std::none_of(solids.begin(), solids.end(),
                       [&](const Solid& solid) { return cover_of(solid, inner).inside_after; });
 }
@@ -92,8 +92,8 @@ bool Oracle::connected(std::string_view text, OraclePoint from, OraclePoint to) 
   std::string fault;
   const auto dump = read_dump(text, fault);
   const Arrangement& arrangement = impl_->arrangement;
-  const ExactPoint start = arrangement.grid.point(from);
-  const ExactPoint goal = arrangement.grid.point(to);
+  const ExactPosition start = arrangement.grid.point(from);
+  const ExactPosition goal = arrangement.grid.point(to);
   const auto neighbours = neighbours_of(arrangement, dump->triangles);
   std::vector<bool> seen(dump->triangles.size(), false);
   std::vector<std::size_t> open;

@@ -47,7 +47,7 @@ Grid::Grid(const std::vector<OraclePoint>& points) {
   }
 }
 
-ExactPoint Grid::point(OraclePoint p) const {
+ExactPosition Grid::point(OraclePoint p) const {
   const Binary x = binary(p.x);
   const Binary y = binary(p.y);
   int finer = 0;
@@ -59,7 +59,8 @@ ExactPoint Grid::point(OraclePoint p) const {
   return {on_grid(x), on_grid(y), shifted(Integer(1), finer), {p.x, p.x}, {p.y, p.y}};
 }
 
-ExactPoint Grid::crossing(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) const {
+ExactPosition Grid::crossing(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c,
+                             const ExactPosition& d) const {
   const Integer ab_x = b.x - a.x;
   const Integer ab_y = b.y - a.y;
   const Integer cd_x = d.x - c.x;
@@ -70,23 +71,23 @@ ExactPoint Grid::crossing(const ExactPoint& a, const ExactPoint& b, const ExactP
     across = -across;
     along = -along;
   }
-  ExactPoint result{a.x * across + along * ab_x, a.y * across + along * ab_y, across, {}, {}};
+  ExactPosition result{a.x * across + along * ab_x, a.y * across + along * ab_y, across, {}, {}};
   const OraclePoint near{nearest_double(result.x, result.w), nearest_double(result.y, result.w)};
   result.near_x = {near.x, near.x};
   result.near_y = {near.y, near.y};
-  const ExactPoint rounded = point(near);
+  const ExactPosition rounded = point(near);
   if (result.x * rounded.w != rounded.x * result.w) result.near_x = {below(near.x), above(near.x)};
   if (result.y * rounded.w != rounded.y * result.w) result.near_y = {below(near.y), above(near.y)};
   return result;
 }
 
-ExactPoint Grid::midpoint(const ExactPoint& a, const ExactPoint& b) {
+ExactPosition Grid::midpoint(const ExactPosition& a, const ExactPosition& b) {
   const Interval half{0.5, 0.5};
   return {a.x * b.w + b.x * a.w, a.y * b.w + b.y * a.w, 2 * a.w * b.w, (a.near_x + b.near_x) * half,
           (a.near_y + b.near_y) * half};
 }
 
-std::string Grid::text(const ExactPoint& p) const { return rational_text(p.x, p.w) + ' ' + rational_text(p.y, p.w); }
+std::string Grid::text(const ExactPosition& p) const { return rational_text(p.x, p.w) + ' ' + rational_text(p.y, p.w); }
 
 std::string Grid::rational_text(const Integer& numerator, const Integer& denominator) const {
   if (numerator.is_zero()) return "0 1";
@@ -98,7 +99,7 @@ std::string Grid::rational_text(const Integer& numerator, const Integer& denomin
   return top.str() + ' ' + bottom.str();
 }
 
-OraclePoint Grid::nearest(const ExactPoint& p) const {
+OraclePoint Grid::nearest(const ExactPosition& p) const {
   if (p.is_double()) return {p.near_x.lo, p.near_y.lo};
   return {nearest_double(p.x, p.w), nearest_double(p.y, p.w)};
 }
@@ -125,35 +126,35 @@ double Grid::nearest_double(const Integer& numerator, const Integer& denominator
   return numerator.sign() < 0 ? -magnitude : magnitude;
 }
 
-int compare_x(const ExactPoint& a, const ExactPoint& b) {
+int compare_x(const ExactPosition& a, const ExactPosition& b) {
   if (a.near_x.hi < b.near_x.lo) return -1;
   if (a.near_x.lo > b.near_x.hi) return 1;
   if (a.near_x.lo == a.near_x.hi && b.near_x.lo == b.near_x.hi) return 0;
   return sign_of(a.x * b.w - b.x * a.w);
 }
 
-int compare_y(const ExactPoint& a, const ExactPoint& b) {
+int compare_y(const ExactPosition& a, const ExactPosition& b) {
   if (a.near_y.hi < b.near_y.lo) return -1;
   if (a.near_y.lo > b.near_y.hi) return 1;
   if (a.near_y.lo == a.near_y.hi && b.near_y.lo == b.near_y.hi) return 0;
   return sign_of(a.y * b.w - b.y * a.w);
 }
 
-int compare_xy(const ExactPoint& a, const ExactPoint& b) {
+int compare_xy(const ExactPosition& a, const ExactPosition& b) {
   const int by_x = compare_x(a, b);
   return by_x != 0 ? by_x : compare_y(a, b);
 }
 
-int orientation(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+int orientation(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c) {
   const int filtered =
       certain_sign((a.near_x - c.near_x) * (b.near_y - c.near_y) - (a.near_y - c.near_y) * (b.near_x - c.near_x));
   if (filtered != 0) return filtered;
   return sign_of(a.x * (b.y * c.w - c.y * b.w) - a.y * (b.x * c.w - c.x * b.w) + a.w * (b.x * c.y - c.x * b.y));
 }
 
-int in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
+int in_circle(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c, const ExactPosition& d) {
   const auto filtered = [&] {
-    const auto row = [&](const ExactPoint& p) {
+    const auto row = [&](const ExactPosition& p) {
       const Interval dx = p.near_x - d.near_x;
       const Interval dy = p.near_y - d.near_y;
       return std::array<Interval, 3>{dx, dy, dx * dx + dy * dy};
@@ -166,7 +167,7 @@ int in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, con
   if (filtered != 0) return filtered;
   // A point's offset from d is (dx, dy) / (w * d.w). Its row is multiplied by (w * d.w)^2, and two columns are divided
   // by their common factor d.w.
-  const auto row = [&](const ExactPoint& p) {
+  const auto row = [&](const ExactPosition& p) {
     const Integer dx = p.x * d.w - d.x * p.w;
     const Integer dy = p.y * d.w - d.y * p.w;
     return std::array<Integer, 3>{dx * p.w, dy * p.w, dx * dx + dy * dy};
@@ -177,7 +178,7 @@ int in_circle(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, con
   return sign_of(az * (bx * cy - cx * by) - bz * (ax * cy - cx * ay) + cz * (ax * by - bx * ay));
 }
 
-bool on_segment(const ExactPoint& a, const ExactPoint& b, const ExactPoint& p) {
+bool on_segment(const ExactPosition& a, const ExactPosition& b, const ExactPosition& p) {
   if (p.near_x.hi < std::min(a.near_x.lo, b.near_x.lo) || p.near_x.lo > std::max(a.near_x.hi, b.near_x.hi) ||
       p.near_y.hi < std::min(a.near_y.lo, b.near_y.lo) || p.near_y.lo > std::max(a.near_y.hi, b.near_y.hi)) {
     return false;
@@ -186,11 +187,11 @@ bool on_segment(const ExactPoint& a, const ExactPoint& b, const ExactPoint& p) {
   return compare_xy(a, p) * compare_xy(p, b) >= 0;
 }
 
-bool same_direction(const ExactPoint& at, const ExactPoint& u, const ExactPoint& v) {
+bool same_direction(const ExactPosition& at, const ExactPosition& u, const ExactPosition& v) {
   return compare_xy(at, u) == compare_xy(at, v);
 }
 
-bool in_angle(const ExactPoint& at, const ExactPoint& u, const ExactPoint& t, const ExactPoint& v) {
+bool in_angle(const ExactPosition& at, const ExactPosition& u, const ExactPosition& t, const ExactPosition& v) {
   const int turn = orientation(at, u, v);
   const int from_u = orientation(at, u, t);
   const int to_v = orientation(at, t, v);
@@ -199,7 +200,7 @@ bool in_angle(const ExactPoint& at, const ExactPoint& u, const ExactPoint& t, co
   return !(to_v <= 0 && from_u <= 0);  // not in the closed angle from v to u, which is less than half a turn
 }
 
-bool cross_properly(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
+bool cross_properly(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c, const ExactPosition& d) {
   const auto apart = [](Interval p, Interval q, Interval r, Interval s) {
     return std::max(p.hi, q.hi) < std::min(r.lo, s.lo) || std::max(r.hi, s.hi) < std::min(p.lo, q.lo);
   };

@@ -10,30 +10,31 @@ namespace {
 
 /// Returns the points where a segment meets a wall. If the segment overlaps the wall, returns the two ends of the
 /// overlap.
-std::vector<ExactPoint> meetings(const Grid& grid, const Wall& wall, const ExactPoint& from, const ExactPoint& to) {
-  const ExactPoint& a = wall.exact_a;
-  const ExactPoint& b = wall.exact_b;
+std::vector<ExactPosition> meetings(const Grid& grid, const Wall& wall, const ExactPosition& from,
+                                    const ExactPosition& to) {
+  const ExactPosition& a = wall.exact_a;
+  const ExactPosition& b = wall.exact_b;
   if (cross_properly(a, b, from, to)) return {grid.crossing(a, b, from, to)};
-  std::vector<ExactPoint> positions;
-  for (const ExactPoint* end : {&from, &to}) {
+  std::vector<ExactPosition> positions;
+  for (const ExactPosition* end : {&from, &to}) {
     if (on_segment(a, b, *end)) positions.push_back(*end);
   }
-  for (const ExactPoint* end : {&a, &b}) {
+  for (const ExactPosition* end : {&a, &b}) {
     if (on_segment(from, to, *end)) positions.push_back(*end);
   }
   return positions;
 }
 
 OracleHit first_wall(const Arrangement& arrangement, const OracleRay& ray) {
-  const ExactPoint from = arrangement.grid.point(ray.from);
-  const ExactPoint to = arrangement.grid.point(ray.to);
+  const ExactPosition from = arrangement.grid.point(ray.from);
+  const ExactPosition to = arrangement.grid.point(ray.to);
   const bool forward = compare_xy(from, to) <= 0;
-  std::vector<ExactPoint> positions;
+  std::vector<ExactPosition> positions;
   for (const Wall& wall : arrangement.walls) {
-    for (ExactPoint& position : meetings(arrangement.grid, wall, from, to)) positions.push_back(std::move(position));
+    for (ExactPosition& position : meetings(arrangement.grid, wall, from, to)) positions.push_back(std::move(position));
   }
   if (positions.empty()) return {};
-  const ExactPoint& first = *std::min_element(positions.begin(), positions.end(), [&](const auto& a, const auto& b) {
+  const ExactPosition& first = *std::min_element(positions.begin(), positions.end(), [&](const auto& a, const auto& b) {
     return forward ? compare_xy(a, b) < 0 : compare_xy(a, b) > 0;
   });
   OracleHit result{true, arrangement.grid.nearest(first), {}};

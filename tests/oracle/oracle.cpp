@@ -13,7 +13,7 @@ Oracle& Oracle::operator=(Oracle&&) noexcept = default;
 
 ExpectedMesh Oracle::expected() const {
   ExpectedMesh result;
-  for (const ExactPoint& p : impl_->arrangement.vertices) result.vertices.push_back(impl_->arrangement.grid.text(p));
+  for (const ExactPosition& p : impl_->arrangement.vertices) result.vertices.push_back(impl_->arrangement.grid.text(p));
   result.constraints = impl_->arrangement.constraints;
   return result;
 }
@@ -27,7 +27,7 @@ std::size_t Oracle::crossing_count() const { return impl_->arrangement.crossing_
 std::size_t Oracle::constraint_count() const { return impl_->arrangement.constraints.size(); }
 
 std::vector<std::uint64_t> Oracle::covering_polygons(OraclePoint point) const {
-  const ExactPoint position = impl_->arrangement.grid.point(point);
+  const ExactPosition position = impl_->arrangement.grid.point(point);
   std::vector<std::uint64_t> ids;
   for (const Solid& solid : impl_->solids) {
     const Cover cover = cover_of(solid, position);
@@ -38,7 +38,7 @@ std::vector<std::uint64_t> Oracle::covering_polygons(OraclePoint point) const {
 }
 
 bool Oracle::strictly_inside(OraclePoint point) const {
-  const ExactPoint position = impl_->arrangement.grid.point(point);
+  const ExactPosition position = impl_->arrangement.grid.point(point);
   return std::any_of(impl_->solids.begin(), impl_->solids.end(), [&](const Solid& solid) {
     const Cover cover = cover_of(solid, position);
     return !cover.on_boundary && cover.inside_after;

@@ -25,8 +25,8 @@ struct LeftRight {
 /// An agent at a point: the point from which it came in a straight line (null at the start), and whether it may be left
 /// or right of a wall on that line.
 struct State {
-  const ExactPoint* from = nullptr;
-  const ExactPoint* at = nullptr;
+  const ExactPosition* from = nullptr;
+  const ExactPosition* at = nullptr;
   LeftRight may_be;
 };
 
@@ -45,7 +45,7 @@ class PathCheck {
 
   /// Returns the state at the end of a straight piece. If the agent cannot walk the piece, the state has no side and
   /// `fault` says why.
-  State advance(State state, const ExactPoint& to, std::string& fault) const {
+  State advance(State state, const ExactPosition& to, std::string& fault) const {
     if (compare_xy(*state.at, to) == 0) return state;
     for (const Wall& wall : arrangement_.walls) {
       if (cross_properly(wall.exact_a, wall.exact_b, *state.at, to)) {
@@ -53,7 +53,7 @@ class PathCheck {
         return {state.from, state.at, {false, false}};
       }
     }
-    for (const ExactPoint* next : stops_on(*state.at, to)) {
+    for (const ExactPosition* next : stops_on(*state.at, to)) {
       const auto walls = walls_at(*state.at);
       if (state.from != nullptr) state.may_be = turn(state, *next, walls);
       if (state.may_be.none()) {
@@ -72,12 +72,12 @@ class PathCheck {
 
  private:
   /// Returns the vertices strictly inside a piece, in its order, and then its end.
-  [[nodiscard]] std::vector<const ExactPoint*> stops_on(const ExactPoint& from, const ExactPoint& to) const {
-    std::vector<const ExactPoint*> stops;
+  [[nodiscard]] std::vector<const ExactPosition*> stops_on(const ExactPosition& from, const ExactPosition& to) const {
+    std::vector<const ExactPosition*> stops;
     const auto [first, last] =
         arrangement_.vertices_between(std::min(from.near_x.lo, to.near_x.lo), std::max(from.near_x.hi, to.near_x.hi));
     for (std::size_t i = first; i < last; ++i) {
-      const ExactPoint& v = arrangement_.vertices[i];
+      const ExactPosition& v = arrangement_.vertices[i];
       if (on_segment(from, to, v) && compare_xy(v, from) != 0 && compare_xy(v, to) != 0) stops.push_back(&v);
     }
     if (compare_xy(from, to) > 0) std::reverse(stops.begin(), stops.end());
@@ -85,7 +85,7 @@ class PathCheck {
     return stops;
   }
 
-  [[nodiscard]] std::vector<const Wall*> walls_at(const ExactPoint& position) const {
+  [[nodiscard]] std::vector<const Wall*> walls_at(const ExactPosition& position) const {
     std::vector<const Wall*> walls;
     for (const Wall& wall : arrangement_.walls) {
       if (on_segment(wall.exact_a, wall.exact_b, position)) walls.push_back(&wall);
@@ -96,14 +96,14 @@ class PathCheck {
   /// Returns what remains possible when the agent turns at a point towards another point. Seen from the point, the area
   /// to the left of the agent is the angle counter-clockwise from the outgoing to the incoming direction. No wall may
   /// lie in that angle.
-  static LeftRight turn(const State& state, const ExactPoint& next, const std::vector<const Wall*>& walls) {
-    const ExactPoint& at = *state.at;
-    const ExactPoint& in = *state.from;
+  static LeftRight turn(const State& state, const ExactPosition& next, const std::vector<const Wall*>& walls) {
+    const ExactPosition& at = *state.at;
+    const ExactPosition& in = *state.from;
     const bool back = orientation(at, in, next) == 0 && same_direction(at, in, next);
     bool left_open = true;
     bool right_open = true;
     for (const Wall* wall : walls) {
-      for (const ExactPoint* end : {&wall->exact_a, &wall->exact_b}) {
+      for (const ExactPosition* end : {&wall->exact_a, &wall->exact_b}) {
         if (compare_xy(*end, at) == 0) continue;
         if (back) {
           const bool elsewhere = orientation(at, in, *end) != 0 || !same_direction(at, in, *end);
@@ -122,12 +122,12 @@ class PathCheck {
   }
 
   /// Returns where the agent can be between two stops of a piece.
-  [[nodiscard]] LeftRight along(const State& state, const ExactPoint& next,
+  [[nodiscard]] LeftRight along(const State& state, const ExactPosition& next,
                                 const std::vector<const Wall*>& walls) const {
     const bool walled = std::any_of(walls.begin(), walls.end(),
                                     [&](const Wall* wall) { return on_segment(wall->exact_a, wall->exact_b, next); });
     const bool vertical = compare_x(*state.at, next) == 0;
-    const ExactPoint middle = Grid::midpoint(*state.at, next);
+    const ExactPosition middle = Grid::midpoint(*state.at, next);
     // "After" is above or, if the piece is vertical, to the right.
     bool free_after = cover_of(domain_, middle, vertical).inside_after;
     bool free_before = cover_of(domain_, middle, vertical).inside_before;
@@ -149,13 +149,13 @@ class PathCheck {
 
 /// Returns the exact points that a point of a path may stand for: the point itself, or crossings that are not pairs of
 /// doubles and round to it.
-std::vector<const ExactPoint*> possible_positions(const Arrangement& arrangement, const OraclePoint& p,
-                                                  const ExactPoint& exact, bool is_end) {
-  std::vector<const ExactPoint*> result{&exact};
+std::vector<const ExactPosition*> possible_positions(const Arrangement& arrangement, const OraclePoint& p,
+                                                     const ExactPosition& exact, bool is_end) {
+  std::vector<const ExactPosition*> result{&exact};
   if (is_end) return result;
   const auto [first, last] = arrangement.vertices_between(p.x, p.x);
   for (std::size_t i = first; i < last; ++i) {
-    const ExactPoint& v = arrangement.vertices[i];
+    const ExactPosition& v = arrangement.vertices[i];
     if (arrangement.near_vertices[i] == p && !v.is_double()) result.push_back(&v);
   }
   return result;
@@ -166,7 +166,7 @@ std::vector<const ExactPoint*> possible_positions(const Arrangement& arrangement
 Fault Oracle::check_path(const std::vector<OraclePoint>& points) const {
   if (points.empty()) return "the path has no points";
   const OracleBox& box = impl_->scene.domain;
-  std::vector<ExactPoint> exact;
+  std::vector<ExactPosition> exact;
   for (const OraclePoint& p : points) {
     if (!(p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y)) {
       return "the path leaves the domain at " + name_of(p);
@@ -179,7 +179,7 @@ Fault Oracle::check_path(const std::vector<OraclePoint>& points) const {
   for (std::size_t i = 1; i < points.size(); ++i) {
     std::vector<State> next_states;
     std::string fault;
-    for (const ExactPoint* position :
+    for (const ExactPosition* position :
          possible_positions(impl_->arrangement, points[i], exact[i], i + 1 == points.size())) {
       for (const State& state : states) {
         std::string reason;

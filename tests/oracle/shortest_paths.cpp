@@ -33,7 +33,7 @@ struct Node {
 };
 
 /// Returns 0 for rays towards larger y, and for rays along the horizontal line towards larger x; 1 for the others.
-int half_of(const ExactPoint& at, const ExactPoint& p) {
+int half_of(const ExactPosition& at, const ExactPosition& p) {
   const int above = compare_y(p, at);
   return above > 0 || (above == 0 && compare_x(p, at) > 0) ? 0 : 1;
 }
@@ -56,9 +56,10 @@ struct ShortestPaths::Impl {
   }
 
   [[nodiscard]] std::uint32_t vertex_of(OraclePoint p) const {
-    const ExactPoint position = oracle.arrangement.grid.point(p);
-    const auto found = std::lower_bound(vertices.begin(), vertices.end(), position,
-                                        [](const ExactPoint& a, const ExactPoint& b) { return compare_xy(a, b) < 0; });
+    const ExactPosition position = oracle.arrangement.grid.point(p);
+    const auto found =
+        std::lower_bound(vertices.begin(), vertices.end(), position,
+                         [](const ExactPosition& a, const ExactPosition& b) { return compare_xy(a, b) < 0; });
     return static_cast<std::uint32_t>(found - vertices.begin());
   }
 
@@ -72,7 +73,7 @@ struct ShortestPaths::Impl {
   /// Returns whether a path can run along a piece of a wall on its left, and whether it can on its right.
   [[nodiscard]] std::pair<bool, bool> is_free_left_and_right(std::uint32_t from, std::uint32_t to) const {
     const bool vertical = compare_x(vertices[from], vertices[to]) == 0;
-    const ExactPoint middle = Grid::midpoint(vertices[from], vertices[to]);
+    const ExactPosition middle = Grid::midpoint(vertices[from], vertices[to]);
     const Cover within = cover_of(oracle.domain, middle, vertical);
     bool after = within.inside_after;
     bool before = within.inside_before;
@@ -92,7 +93,7 @@ struct ShortestPaths::Impl {
       hubs[piece.to].spokes.push_back({piece.from, right, left});
     }
     for (std::size_t v = 0; v < hubs.size(); ++v) {
-      const ExactPoint& at = vertices[v];
+      const ExactPosition& at = vertices[v];
       std::sort(hubs[v].spokes.begin(), hubs[v].spokes.end(), [&](const Spoke& a, const Spoke& b) {
         const int a_half = half_of(at, vertices[a.far]);
         const int b_half = half_of(at, vertices[b.far]);
@@ -137,7 +138,7 @@ struct ShortestPaths::Impl {
            (u.wedge == before(u, spoke_u) && v.wedge == spoke_v);
   }
 
-  [[nodiscard]] const ExactPoint& wedge_end(const Node& node, std::uint32_t which) const {
+  [[nodiscard]] const ExactPosition& wedge_end(const Node& node, std::uint32_t which) const {
     const auto& spokes = hubs[node.vertex].spokes;
     return vertices[spokes[(node.wedge + which) % spokes.size()].far];
   }
@@ -148,17 +149,17 @@ struct ShortestPaths::Impl {
   [[nodiscard]] bool may_leave(const Node& node, std::uint32_t towards) const {
     const auto& [spokes, is_end] = hubs[node.vertex];
     if (spokes.size() < 2) return true;
-    const ExactPoint& at = vertices[node.vertex];
-    const ExactPoint& first = wedge_end(node, 0);
-    const ExactPoint& last = wedge_end(node, 1);
+    const ExactPosition& at = vertices[node.vertex];
+    const ExactPosition& first = wedge_end(node, 0);
+    const ExactPosition& last = wedge_end(node, 1);
     if (!in_angle(at, first, vertices[towards], last)) return false;
     return is_end || orientation(at, vertices[towards], first) * orientation(at, vertices[towards], last) >= 0;
   }
 
   /// Returns whether no wall crosses or touches the open segment between two vertices.
   [[nodiscard]] bool is_clear(std::uint32_t u, std::uint32_t v) const {
-    const ExactPoint& p = vertices[u];
-    const ExactPoint& q = vertices[v];
+    const ExactPosition& p = vertices[u];
+    const ExactPosition& q = vertices[v];
     for (const Wall& wall : oracle.arrangement.walls) {
       if (cross_properly(wall.exact_a, wall.exact_b, p, q)) return false;
     }
@@ -213,7 +214,7 @@ struct ShortestPaths::Impl {
   }
 
   OracleParts oracle;
-  const std::vector<ExactPoint>& vertices;
+  const std::vector<ExactPosition>& vertices;
   std::vector<Hub> hubs;  ///< by vertex
   std::vector<Node> nodes;
   std::vector<std::optional<bool>> known;  ///< for two nodes, the smaller first: whether one sees the other

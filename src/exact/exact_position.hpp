@@ -24,24 +24,24 @@ struct Crossing {
   Crossing(const Point& a, const Point& b, const Point& c, const Point& d) : ab{a, b}, cd{c, d} {}
 };
 
-/// A point in the form that the predicates take. An explicit point has no lines (null) and is (x, y). A constructed
-/// point is the crossing of two lines, and x and y are its coordinates, each rounded to the nearest double. The points
-/// of the two lines must exist as long as the ExactPoint.
+/// A position in the form that the predicates take. An explicit position has no lines (null) and is (x, y). A
+/// constructed position is the crossing of two lines, and x and y are its coordinates, each rounded to the nearest
+/// double. The points of the two lines must exist as long as the ExactPosition.
 ///
-/// The library stores a crossing whose coordinates are doubles in range as an explicit point. Hence an explicit and a
-/// constructed point are never equal. Equal points have equal (x, y).
-struct ExactPoint {
+/// The library stores a crossing whose coordinates are doubles in range as an explicit position. Hence an explicit and
+/// a constructed position are never equal. Equal positions have equal (x, y).
+struct ExactPosition {
   double x = 0.0;
   double y = 0.0;
   const PointPair* ab = nullptr;
   const PointPair* cd = nullptr;
 
-  ExactPoint() = default;
-  ExactPoint(double x_value, double y_value) : x(x_value), y(y_value) {}
-  ExactPoint(double x_value, double y_value, const PointPair* one, const PointPair* other)
+  ExactPosition() = default;
+  ExactPosition(double x_value, double y_value) : x(x_value), y(y_value) {}
+  ExactPosition(double x_value, double y_value, const PointPair* one, const PointPair* other)
       : x(x_value), y(y_value), ab(one), cd(other) {}
-  /// The crossing, or an explicit point if `crossing` is null.
-  ExactPoint(double x_value, double y_value, const Crossing* crossing) : x(x_value), y(y_value) {
+  /// The crossing, or an explicit position if `crossing` is null.
+  ExactPosition(double x_value, double y_value, const Crossing* crossing) : x(x_value), y(y_value) {
     if (crossing == nullptr) return;
     ab = &crossing->ab;
     cd = &crossing->cd;
@@ -52,6 +52,6 @@ struct ExactPoint {
   [[nodiscard]] Crossing crossing() const { return {*ab, *cd}; }
 };
 
-[[nodiscard]] inline ExactPoint explicit_point(const Point& point) { return {point.x, point.y}; }
+[[nodiscard]] inline ExactPosition explicit_position(const Point& point) { return {point.x, point.y}; }
 
 }  // namespace waywright::exact
