@@ -114,7 +114,11 @@ elseif(WAY STREQUAL "add_subdirectory")
   set(binary ${BINARY}/consumer)
   run(${CMAKE_COMMAND} -S ${consumer_source} -B ${binary} ${options} -DWAYWRIGHT_BY=add_subdirectory
       -DWAYWRIGHT_SOURCE=${SOURCE})
-  run(${CMAKE_COMMAND} --build ${binary} --target main.cpp.o)
+  set(object main.cpp.o)  # the name in a Makefile
+  if(GENERATOR MATCHES "Ninja")
+    set(object CMakeFiles/consumer.dir/main.cpp.o)
+  endif()
+  run(${CMAKE_COMMAND} --build ${binary} --target ${object})
 else()
   message(FATAL_ERROR "no way ${WAY}")
 endif()
