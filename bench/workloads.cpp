@@ -365,7 +365,7 @@ Workload disjoint_segments(std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto column = static_cast<double>(squares[i] % side);
     const auto row = static_cast<double>(squares[i] / side);
-    const auto within = [&](double square) { return square + 0.02 + 0.96 * random.unit(); };
+    const auto within = [&](double first) { return first + 0.02 + 0.96 * random.unit(); };
     const Point from{within(column), within(row)};
     const Point to{within(column), within(row)};
     workload.updates.push_back({{}, make_item(i + 1, ItemKind::segment, {from, to})});
