@@ -33,11 +33,11 @@ void register_moving_square(const std::string& contender) {
   for (const std::size_t steps : {1000U, 8000U}) {
     const std::string size = '/' + std::to_string(steps);
     register_updates<Contender>("moving_square_aligned" + size, contender,
-                                [steps] { return moving_square(Turn::none, steps); });
+                                [steps] { return moving_square(Rotation::none, steps); });
     register_updates<Contender>("moving_square_45" + size, contender,
-                                [steps] { return moving_square(Turn::by_45, steps); });
+                                [steps] { return moving_square(Rotation::by_45, steps); });
     register_updates<Contender>("moving_square_30" + size, contender,
-                                [steps] { return moving_square(Turn::by_30, steps); });
+                                [steps] { return moving_square(Rotation::by_30, steps); });
   }
 }
 

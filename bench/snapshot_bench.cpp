@@ -136,18 +136,18 @@ class Reader {
 /// Counts the paths of a reader while nothing else happens, and while another thread moves polygons and publishes, with
 /// a pause after each snapshot. The two take turns.
 void time_readers(benchmark::State& state, std::size_t vertices, std::chrono::milliseconds pause) {
-  constexpr int kTurns = 20;
-  constexpr std::chrono::milliseconds kTurn{250};
+  constexpr int kSlices = 20;
+  constexpr std::chrono::milliseconds kSlice{250};
   Town town(vertices);
   std::atomic<WorldSnapshot*> next = nullptr;
   Reader reader(town, town.world().publish());
-  double alone = reader.paths_per_microsecond(kTurn, next);  // so that the context has its memory
+  double alone = reader.paths_per_microsecond(kSlice, next);  // so that the context has its memory
   double beside = 0;
   std::size_t published = 0;
   alone = 0;
   for ([[maybe_unused]] const auto iteration : state) {
-    for (int i = 0; i < kTurns; ++i) {
-      alone += reader.paths_per_microsecond(kTurn, next);
+    for (int i = 0; i < kSlices; ++i) {
+      alone += reader.paths_per_microsecond(kSlice, next);
       std::atomic<bool> is_over = false;
       std::thread writer([&] {
         while (!is_over.load(std::memory_order_relaxed)) {
@@ -160,14 +160,14 @@ void time_readers(benchmark::State& state, std::size_t vertices, std::chrono::mi
           if (pause.count() > 0) std::this_thread::sleep_for(pause);
         }
       });
-      beside += reader.paths_per_microsecond(kTurn, next);
+      beside += reader.paths_per_microsecond(kSlice, next);
       is_over = true;
       writer.join();
     }
   }
   delete next.exchange(nullptr);
-  state.counters["us_alone"] = kTurns / alone;
-  state.counters["us_beside"] = kTurns / beside;
+  state.counters["us_alone"] = kSlices / alone;
+  state.counters["us_beside"] = kSlices / beside;
   state.counters["snapshots"] = static_cast<double>(published);
 }
 

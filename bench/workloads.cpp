@@ -39,7 +39,7 @@ void shuffle(std::vector<std::size_t>& values, Random& random) {
   for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[random.below(i)]);
 }
 
-/// Returns the position of a grid point along the Hilbert curve of order 16.
+/// Returns the rank of a grid point along the Hilbert curve of order 16.
 /// Source: Hilbert, *Über die stetige Abbildung einer Linie auf ein Flächenstück*, 1891. Computed by quadrant; each
 /// step rotates the rest.
 std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y) {
@@ -242,7 +242,7 @@ Workload random_segments(std::size_t count) {
   return workload;
 }
 
-Workload moving_square(Turn turn, std::size_t steps) {
+Workload moving_square(Rotation rotation, std::size_t steps) {
   constexpr std::size_t kNestedCount = 9;
   constexpr double kSpacing = 10000.0;
   constexpr double kReach = 500.0;
@@ -253,8 +253,8 @@ Workload moving_square(Turn turn, std::size_t steps) {
   }
   // From the centre to the first corner. The others follow by right angles.
   Point arm = {kReach, kReach};
-  if (turn == Turn::by_45) arm = {0.0, 1.4 * kReach};
-  if (turn == Turn::by_30) arm = {kReach * 0.5 * (std::sqrt(3.0) - 1.0), kReach * 0.5 * (std::sqrt(3.0) + 1.0)};
+  if (rotation == Rotation::by_45) arm = {0.0, 1.4 * kReach};
+  if (rotation == Rotation::by_30) arm = {kReach * 0.5 * (std::sqrt(3.0) - 1.0), kReach * 0.5 * (std::sqrt(3.0) + 1.0)};
   const std::size_t id = kNestedCount + 1;
   const auto square_at = [&](std::size_t step) {
     const double at = 5000.0 + 10.0 * static_cast<double>(step);

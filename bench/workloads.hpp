@@ -48,7 +48,7 @@ struct Workload {
 [[nodiscard]] Workload random_segments(std::size_t count);
 
 /// The rotation of the square of experiment 6.
-enum class Turn : unsigned char {
+enum class Rotation : unsigned char {
   none,   ///< axis-aligned: its sides come to lie on walls
   by_45,  ///< whole corners, rational crossings
   by_30,  ///< corners are not whole numbers: 30 degrees have no rational sine and cosine
@@ -56,7 +56,7 @@ enum class Turn : unsigned char {
 
 /// Returns experiment 6 of Chen 2009: in ±100,000 with nested squares every 10,000, a small square moves along the
 /// diagonal by (10, 10) at each step, under one id.
-[[nodiscard]] Workload moving_square(Turn turn, std::size_t steps);
+[[nodiscard]] Workload moving_square(Rotation rotation, std::size_t steps);
 
 /// How close the polygons of rts() are to each other.
 enum class Crowd : unsigned char {

@@ -104,8 +104,8 @@ Commands commands_of(std::size_t player, Tick tick) {
   }
   for (std::uint64_t i = 0; (tick + player) % 4 == 0 && i < 2; ++i) {
     const std::uint64_t number = number_of(player, tick) + i;
-    const auto rank = static_cast<std::size_t>(number % (kUnits / kPlayers));
-    commands.orders.push_back({kPlayers * rank + player, point_of(number)});
+    const auto index = static_cast<std::size_t>(number % (kUnits / kPlayers));
+    commands.orders.push_back({kPlayers * index + player, point_of(number)});
   }
   return commands;
 }

@@ -172,15 +172,15 @@ void check_one_unit() {
   QueryContext context;
   Unit unit{.position = {}, .goal = {95, 10}, .path = {}};
   unit.position.at = {5, 10};
-  FloatUnit twin;
+  FloatUnit copy;
   expect(find_path(world, context, unit), "there is a path");
-  twin.path = unit.path;
+  copy.path = unit.path;
   bool is_there = false;
   for (int tick = 0; tick < 1000 && !is_there; ++tick) {
     is_there = walk(unit, 0.3);
-    walk(twin, 0.3);
+    walk(copy, 0.3);
     expect(!is_blocked(world, unit.position.at), "the unit stands on a free position");
-    expect(!is_blocked(world, {twin.x, twin.y}), "and so does the one in float");
+    expect(!is_blocked(world, {copy.x, copy.y}), "and so does the one in float");
   }
   expect(is_there && unit.position.at == unit.goal, "the unit gets to its goal");
 }
@@ -205,8 +205,7 @@ void check_positions() {
     beyond_by_hand += with_fence.is_clear(std::vector<Point>{path.points[0], a, by_hand}).value() ? 0 : 1;
     const Point position = path.at(before + share * length).at;
     expect(!is_blocked(with_triangle, position), "a position from the library is free");
-    expect(with_fence.is_clear(std::vector<Point>{path.points[0], a, position}).value(),
-           "and on the right side of a fence");
+    expect(with_fence.is_clear(std::vector<Point>{path.points[0], a, position}).value(), "and right of a fence");
   }
   std::printf("of 999 positions computed by hand, %d lie inside a polygon, %d beyond a fence\n", blocked_by_hand,
               beyond_by_hand);

@@ -19,7 +19,7 @@ using waywright::World;
 namespace {
 
 const Shape kWall = Shape::segment({50, 0}, {50, 80});
-const Shape kGate = Shape::segment({50, 80}, {50, 100});
+const Shape kFence = Shape::segment({50, 80}, {50, 100});
 const Shape kBarn = Shape::rectangle({{20, 60}, {40, 75}});
 const std::vector<Point> kDoors = {{10, 50}, {90, 50}, {30, 90}};
 
@@ -41,7 +41,7 @@ void try_out(World& world) {
   const Path now = find(world).value();
   const Path then = world.attempt({Change::insert(kBarn)}, find).value();
   std::printf("with the barn, the path is %.2f longer\n", then.length - now.length);
-  for (const Shape& shape : {kBarn, kGate}) {
+  for (const Shape& shape : {kBarn, kFence}) {
     const bool walls_in = world.would_disconnect(shape, kDoors).value();
     std::printf("this building %s\n", walls_in ? "walls somebody in" : "leaves all doors connected");
   }

@@ -66,9 +66,9 @@ int main() {
   std::printf("%zu items, the same hash: %s\n", loaded.item_count(),
               loaded.items_hash() == world.items_hash() ? "yes" : "no");
 
-  const Shape gate = Shape::rectangle({{45, 75}, {55, 95}});
+  const Shape fence = Shape::rectangle({{45, 75}, {55, 95}});
   const Shape barrier = Shape::rectangle({{45, 75}, {55, 100}});
-  std::printf("with the gate: %s, with the barrier: %s\n", keeps_path(loaded, gate) ? "a path" : "no path",
+  std::printf("with the fence: %s, with the barrier: %s\n", keeps_path(loaded, fence) ? "a path" : "no path",
               keeps_path(loaded, barrier) ? "a path" : "no path");
 
   const std::string log = play(loaded);

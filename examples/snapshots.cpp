@@ -24,7 +24,7 @@ void find_paths(const WorldSnapshot& snapshot, bool& is_reachable) {
   is_reachable = path.status == PathStatus::found;
 }
 
-/// The reader finds paths in the old state while this thread closes the gate.
+/// The reader finds paths in the old state while this thread closes the door.
 void close_gate(World& world) {
   bool is_reachable = false;
   WorldSnapshot snapshot = world.publish();

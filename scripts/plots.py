@@ -18,7 +18,7 @@ def round_step(span, count):
 
 
 def linear_axis(values):
-    """Returns the ticks of an axis from 0, and the function from a value to its share of the axis."""
+    """Returns the marks of an axis from 0, and the function from a value to its share of the axis."""
     most = max(values)
     step = round_step(most * 1.05, 5)
     count = math.ceil(most * 1.02 / step)
@@ -27,17 +27,17 @@ def linear_axis(values):
 
 
 def logarithmic_axis(values):
-    """Returns the ticks of a logarithmic axis, at 1, 2 and 5 times the powers of ten, and the function as for linear_axis().
+    """Returns the marks of a logarithmic axis, at 1, 2 and 5 times the powers of ten, and the function as for linear_axis().
 
     Requires: values above 0.
     """
     least, most = min(values), max(values)
     powers = range(math.floor(math.log10(least)), math.ceil(math.log10(most)) + 1)
-    ticks = [factor * 10.0**power for power in powers for factor in (1, 2, 5)]
-    first = max(i for i, tick in enumerate(ticks) if tick <= least)
-    last = min(i for i, tick in enumerate(ticks) if tick >= most)
-    low, high = math.log(ticks[first]), math.log(ticks[max(last, first + 1)])
-    return ticks[first : max(last, first + 1) + 1], lambda value: (math.log(value) - low) / (high - low)
+    marks = [factor * 10.0**power for power in powers for factor in (1, 2, 5)]
+    first = max(i for i, mark in enumerate(marks) if mark <= least)
+    last = min(i for i, mark in enumerate(marks) if mark >= most)
+    low, high = math.log(marks[first]), math.log(marks[max(last, first + 1)])
+    return marks[first : max(last, first + 1) + 1], lambda value: (math.log(value) - low) / (high - low)
 
 
 def text(x, y, content, anchor="middle", more=""):
@@ -51,13 +51,13 @@ def panel(curves, styles, x0, y0, labels, y_axis, has_dots):
     width, height = WIDTH - LEFT - RIGHT, HEIGHT - TOP - BOTTOM
     most_x = max(x for curve in curves.values() for x, _ in curve)
     step_x = round_step(most_x, 5)
-    ticks, share = y_axis([y for curve in curves.values() for _, y in curve])
+    marks, share = y_axis([y for curve in curves.values() for _, y in curve])
 
     parts = [text(left + width / 2, y0 + 20, title, more=' font-weight="bold"')]
-    for tick in ticks:
-        y = bottom - height * share(tick)
+    for mark in marks:
+        y = bottom - height * share(mark)
         parts.append(f'<path d="M{left:.1f} {y:.1f}h{width}" stroke="#ddd"/>')
-        parts.append(text(left - 6, y + 4, f"{tick:,.10g}", "end"))
+        parts.append(text(left - 6, y + 4, f"{mark:,.10g}", "end"))
     for i in range(int(most_x / step_x) + 1):
         x = left + width * i * step_x / most_x
         parts.append(f'<path d="M{x:.1f} {bottom:.1f}v4" stroke="#444"/>')

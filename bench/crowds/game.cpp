@@ -54,8 +54,8 @@ Game::Game(const Scene& scene, std::span<const double> radii, CrowdMode mode)
   const auto algorithm = mode == CrowdMode::optimal ? PathAlgorithm::optimal : PathAlgorithm::tra;
   for (std::size_t i = 0; i < kUnits; ++i) {
     const double radius = radii_[i * radii_.size() / kUnits];
-    const Point start = free_position(radius);
-    queries_.push_back({.start = start, .goal = free_position(radius), .radius = radius, .algorithm = algorithm});
+    const Point start = fitting_position(radius);
+    queries_.push_back({.start = start, .goal = fitting_position(radius), .radius = radius, .algorithm = algorithm});
   }
   world_.find_paths(queries_, contexts_, paths_).value();
 }
@@ -102,8 +102,8 @@ bool Game::must_ask(const Path& path, std::uint64_t since) const {
 
 void Game::add_building(std::vector<Change>& changes) {
   const double radius = kSmallest + (kLargest - kSmallest) * random_.unit();
-  Point centre = free_position(radius);
-  while (meets_unit(centre, radius)) centre = free_position(radius);
+  Point centre = fitting_position(radius);
+  while (meets_unit(centre, radius)) centre = fitting_position(radius);
   const ItemId id{next_building_++};
   changes.push_back(Change::insert(Shape::regular_polygon(centre, radius, 4 + random_.below(5)), id));
   buildings_.push_back(id);
@@ -117,7 +117,7 @@ bool Game::meets_unit(const Point& centre, double radius) const {
   });
 }
 
-Point Game::free_position(double radius) {
+Point Game::fitting_position(double radius) {
   const Box& box = world_.domain();
   for (;;) {
     const double x = box.min.x + (box.max.x - box.min.x) * random_.unit();

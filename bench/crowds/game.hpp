@@ -68,7 +68,7 @@ class Game {
   /// Returns whether a circle overlaps a unit.
   [[nodiscard]] bool meets_unit(const Point& centre, double radius) const;
   /// Returns a random position where a disc fits.
-  [[nodiscard]] Point free_position(double radius);
+  [[nodiscard]] Point fitting_position(double radius);
   [[nodiscard]] bool is_right(std::size_t unit);
   [[nodiscard]] bool fits(const Point& centre, double radius);
 

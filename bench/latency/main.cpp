@@ -62,7 +62,7 @@ class Town {
     time("locate a point", [&] { world_.locate(point, context_, location_).value(); });
     if (round % kPathEvery != 0) return;
     PathQuery query;
-    query.start = free_position(free_[random_.below(free_.size())]);
+    query.start = position_in(free_[random_.below(free_.size())]);
     query.goal = goal_near(query.start);
     query.algorithm = PathAlgorithm::tra;
     time("find a path, tra", [&] { world_.find_path(query, context_, path_).value(); });
@@ -116,7 +116,7 @@ class Town {
     const double width = kSquare * static_cast<double>(side_);
     return {width * random_.unit(), width * random_.unit()};
   }
-  [[nodiscard]] Point free_position(std::size_t square) {
+  [[nodiscard]] Point position_in(std::size_t square) {
     return corner_of(square) + Point{kSquare * random_.unit(), kSquare * random_.unit()};
   }
   /// Returns a regular polygon at a random position and angle in the square.
@@ -134,7 +134,7 @@ class Town {
                      static_cast<std::int64_t>(random_.below(2 * kReach + 1)) - kReach;
       if (x < 0 || y < 0 || x >= side || y >= side) continue;
       const auto square = static_cast<std::size_t>(y * side + x);
-      if (ids_[square].is_null()) return free_position(square);
+      if (ids_[square].is_null()) return position_in(square);
     }
   }
 

@@ -1,5 +1,5 @@
 // usage: waywright_python_bench FOLDER
-// The C++ side of bench.py: reads arrays of doubles from FOLDER, does what Python does, and prints the best time of
+// The part in C++ of bench.py: reads arrays of doubles from FOLDER, does what Python does, and prints the best time of
 // each measurement as a line of JSON.
 
 #include <algorithm>

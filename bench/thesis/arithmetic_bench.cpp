@@ -133,8 +133,9 @@ void register_arithmetic() {
   for (std::size_t size = 100; size <= 400; size += 100) register_case("long_segments", size, long_segments);
   for (std::size_t size = 100; size <= 1000; size += 100) register_case("random_segments", size, random_segments);
   for (std::size_t size = 1000; size <= 8000; size += 1000) {
-    register_case("moving_square_aligned", size, [](std::size_t steps) { return moving_square(Turn::none, steps); });
-    register_case("moving_square_45", size, [](std::size_t steps) { return moving_square(Turn::by_45, steps); });
+    register_case("moving_square_aligned", size,
+                  [](std::size_t steps) { return moving_square(Rotation::none, steps); });
+    register_case("moving_square_45", size, [](std::size_t steps) { return moving_square(Rotation::by_45, steps); });
   }
   register_case("rts", 20000, [](std::size_t steps) { return rts(Crowd::overlapping, steps); });
 }

@@ -385,7 +385,7 @@ class Jobs final : public JobSystem {
   ww_job_system jobs_{};
 };
 
-/// The options of a bulk insertion, with the job system to which they point. `given` may be null.
+/// The options of a bulk load, with the job system to which they point. `given` may be null.
 struct Bulk {
   explicit Bulk(const ww_bulk_options* given);
   Bulk(const Bulk&) = delete;

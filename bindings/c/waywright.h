@@ -222,7 +222,7 @@ WW_API ww_status ww_text_bytes(const ww_text* text, const char** bytes, size_t* 
 typedef int32_t ww_item_kind;
 enum {
   WW_ITEM_POINT = 0,    /* a vertex, no wall */
-  WW_ITEM_SEGMENT = 1,  /* a wall; a segment of length 0 acts as a point */
+  WW_ITEM_SEGMENT = 1,  /* a straight line; a segment of length 0 acts as a point */
   WW_ITEM_POLYLINE = 2, /* an open polyline; its straight pieces are walls */
   WW_ITEM_POLYGON = 3   /* a solid obstacle of one or more closed rings */
 };
@@ -233,13 +233,13 @@ WW_API const char* ww_item_kind_name(ww_item_kind kind);
    counter-clockwise, minus how often they go around it clockwise. */
 typedef int32_t ww_fill_rule;
 enum {
-  WW_FILL_EVEN_ODD = 0, /* inside if the winding number is odd: a ring in a ring is a hole */
-  WW_FILL_NONZERO = 1   /* inside if the winding number is not 0: a hole is a ring in the other direction */
+  WW_FILL_EVEN_ODD = 0, /* inside if the winding number is odd: a ring in a ring bounds a hole */
+  WW_FILL_NONZERO = 1   /* inside if the winding number is not 0: a ring in the other direction bounds a hole */
 };
 /* Returns the name of a fill rule: "even-odd". */
 WW_API const char* ww_fill_rule_name(ww_fill_rule rule);
 
-/* The geometry of an item. A point has 1 point, a segment has 2, a polyline has 1 or more; these have one ring. A
+/* The form of an item. A point has 1 point, a segment has 2, a polyline has 1 or more; these have one ring. A
    polygon has one or more rings. The side from the last point of a ring to its first point belongs to the ring, so you
    need not repeat the first point. The shape refers to points of yours, which must exist during each call with the
    shape. */
@@ -332,7 +332,7 @@ WW_API ww_status ww_world_get_options(const ww_world* world, ww_world_options* o
 WW_API ww_status ww_world_insert(ww_world* world, const ww_shape* shape, ww_id id, ww_id* inserted);
 /* Inserts a point: a vertex that stays as long as the item is live. It is not a wall. */
 WW_API ww_status ww_world_insert_point(ww_world* world, ww_point point, ww_id id, ww_id* inserted);
-/* Inserts a wall from `a` to `b`. */
+/* Inserts a segment from `a` to `b`. */
 WW_API ww_status ww_world_insert_segment(ww_world* world, ww_point a, ww_point b, ww_id id, ww_id* inserted);
 /* Inserts an open polyline through one or more points. Its straight pieces are walls. */
 WW_API ww_status ww_world_insert_polyline(ww_world* world, const ww_point* points, size_t point_count, ww_id id,
@@ -585,7 +585,7 @@ WW_API ww_status ww_world_widest_path(const ww_world* world, ww_point start, ww_
                                       ww_widest_path* widest, ww_id* from_items, size_t from_capacity,
                                       size_t* from_count, ww_id* to_items, size_t to_capacity, size_t* to_count);
 
-/* A bridge: the straight connection between two pieces of wall at the gap between them. A disc that passes between the
+/* A bridge: the straight connection between two walls at the gap between them. A disc that passes between the
    two pieces crosses it. */
 typedef struct ww_bridge {
   ww_point from;       /* the corner of an item, or of the domain, at which it starts */

@@ -41,7 +41,7 @@ std::vector<Change> to_changes(const ww_change* changes, std::size_t count) {
 Bulk::Bulk(const ww_bulk_options* given) : Bulk(given != nullptr ? read_struct(given, kBulkOptions) : kBulkOptions) {}
 
 Bulk::Bulk(const ww_bulk_options& given) : jobs(given.jobs) {
-  require(given.threads >= 1, "a bulk insertion needs one thread or more");
+  require(given.threads >= 1, "a bulk load needs one thread or more");
   options.threads = given.threads;
   options.jobs = jobs.get();
   if (given.progress == nullptr) return;

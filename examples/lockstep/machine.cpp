@@ -30,17 +30,17 @@ double percentile(std::vector<double> values, double share) {
 }  // namespace
 
 void FrameTimes::begin() {
-  wall_begin_ = Clock::now();
+  clock_begin_ = Clock::now();
   cpu_begin_ = std::clock();
 }
 
 void FrameTimes::end() {
-  wall_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - wall_begin_).count());
+  elapsed_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - clock_begin_).count());
   cpu_.push_back(1000.0 * static_cast<double>(std::clock() - cpu_begin_) / CLOCKS_PER_SEC);
 }
 
 void FrameTimes::print() const {
-  for (const auto& [name, values] : {std::pair{"wall", &wall_}, std::pair{"CPU", &cpu_}}) {
+  for (const auto& [name, values] : {std::pair{"elapsed", &elapsed_}, std::pair{"CPU", &cpu_}}) {
     std::printf("frames: %zu, %s time p50 %.2f ms, p99 %.2f ms, max %.2f ms\n", values->size(), name,
                 percentile(*values, 0.5), percentile(*values, 0.99), percentile(*values, 1.0));
   }

@@ -37,10 +37,10 @@ class FrameTimes {
   void print() const;
 
  private:
-  std::chrono::steady_clock::time_point wall_begin_;
+  std::chrono::steady_clock::time_point clock_begin_;
   std::clock_t cpu_begin_ = 0;
-  std::vector<double> wall_;  ///< milliseconds
-  std::vector<double> cpu_;   ///< milliseconds, of all threads
+  std::vector<double> elapsed_;  ///< milliseconds
+  std::vector<double> cpu_;      ///< milliseconds, of all threads
 };
 
 /// A machine at the other end of the network.

@@ -21,25 +21,25 @@ using waywright::World;
 
 namespace {
 
-constexpr double kCell = 52.0;          // metres: each cell of the map has a rock
+constexpr double kSquare = 52.0;        // metres: each square of the map has a rock
 constexpr double kStep = 0.25;          // metres that an agent walks in a tick
 constexpr double kPatrol = 96.0;        // metres from an agent's post to its goals, in each axis
 constexpr double kEndTolerance = 40.0;  // metres by which a search may move a blocked end: more than any obstacle
 constexpr double kBorder = 2.0;         // metres between the border of the map and all goals
 
-/// The number of cells of the map in each axis.
-std::uint32_t cells_of(const Settings& settings) {
-  std::uint32_t cells = 1;
-  while (cells * cells < settings.rocks) ++cells;
-  return cells;
+/// The number of squares of the map in each axis.
+std::uint32_t squares_of(const Settings& settings) {
+  std::uint32_t squares = 1;
+  while (squares * squares < settings.rocks) ++squares;
+  return squares;
 }
 
 /// A hexagon in its cell.
-Item rock(std::uint32_t index, std::uint32_t cells) {
+Item rock(std::uint32_t index, std::uint32_t squares) {
   constexpr std::array<Point, 6> kCorners = {{{8, 0}, {4, 7}, {-4, 7}, {-8, 0}, {-4, -7}, {4, -7}}};
   const double size = 1.0 + share_of(3 * index);
-  const Point centre{kCell * (0.4 + 0.2 * share_of(3 * index + 1) + index % cells),
-                     kCell * (0.4 + 0.2 * share_of(3 * index + 2) + static_cast<double>(index / cells))};
+  const Point centre{kSquare * (0.4 + 0.2 * share_of(3 * index + 1) + index % squares),
+                     kSquare * (0.4 + 0.2 * share_of(3 * index + 2) + static_cast<double>(index / squares))};
   std::vector<Point> ring;
   for (const Point& corner : kCorners) {
     ring.push_back({rounded(centre.x + size * corner.x), rounded(centre.y + size * corner.y)});
@@ -48,10 +48,10 @@ Item rock(std::uint32_t index, std::uint32_t cells) {
 }
 
 World new_world(const Settings& settings) {
-  const std::uint32_t cells = cells_of(settings);
-  World world = World::create({{0, 0}, {kCell * cells, kCell * cells}}).value();
+  const std::uint32_t squares = squares_of(settings);
+  World world = World::create({{0, 0}, {kSquare * squares, kSquare * squares}}).value();
   std::vector<Item> rocks;
-  for (std::uint32_t i = 0; i < settings.rocks; ++i) rocks.push_back(rock(i, cells));
+  for (std::uint32_t i = 0; i < settings.rocks; ++i) rocks.push_back(rock(i, squares));
   world.insert_all(rocks).value();
   return world;
 }

@@ -12,8 +12,8 @@ namespace waywright {
 /// @addtogroup world
 /// @{
 
-/// A bridge: the straight connection between two pieces of wall at the gap between them. The closed disc whose diameter
-/// is the bridge touches walls only at the two ends of the bridge. A disc that passes between the two pieces of wall
+/// A bridge: the straight connection between two walls at the gap between them. The closed disc whose diameter
+/// is the bridge touches walls only at the two ends of the bridge. A disc that passes between the two walls
 /// crosses the bridge, so the bridges decide which discs can move from one position to another. World::bridges returns
 /// bridges in a BridgeList.
 ///

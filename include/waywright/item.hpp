@@ -30,8 +30,8 @@ enum class ItemKind : std::uint8_t {
 /// rings go around it counter-clockwise, minus how often they go around it clockwise. The property `fill-rule` of SVG
 /// has the same two values.
 enum class FillRule : std::uint8_t {
-  even_odd,  ///< inside if the winding number is odd: a ring in a ring is a hole, whatever its direction
-  nonzero,   ///< inside if the winding number is not 0: a ring in a ring is a hole only if their directions differ
+  even_odd,  ///< inside if the winding number is odd: a ring in a ring bounds a hole, whatever its direction
+  nonzero,   ///< inside if the winding number is not 0: a ring in a ring bounds a hole only if their directions differ
 };
 
 /// Returns whether a polygon with this rule covers the positions that have this winding number.
@@ -42,7 +42,7 @@ enum class FillRule : std::uint8_t {
 /// Returns the name of a fill rule: `even-odd`, `nonzero`.
 [[nodiscard]] WAYWRIGHT_API std::string_view to_string(FillRule rule);
 
-/// The geometry of an item, independent of any world. A point has one ring of one point, a segment one ring of two
+/// The form of an item, independent of any world. A point has one ring of one point, a segment one ring of two
 /// points, a polyline one ring of one or more points. A polygon has one or more rings. The side from the last point of
 /// a ring to its first point belongs to the ring, so you need not repeat the first point.
 ///

@@ -188,8 +188,9 @@ class WAYWRIGHT_API SvgFrame {
 /// Cost: O(1).
 [[nodiscard]] WAYWRIGHT_API Result<SvgFrame> svg_frame(const Box& domain, const SvgOptions& options);
 
-/// Returns a picture of the world as SVG text: polygons, walls, items of one point, the mesh, the overlay, coordinates
-/// and a legend. Equal worlds, overlays and options give equal text on every machine. docs/pictures.md shows examples.
+/// Returns a picture of the world as SVG text: polygons, polylines, items of one point, the mesh, the overlay,
+/// coordinates and a legend. Equal worlds, overlays and options give equal text on every machine. docs/pictures.md
+/// shows examples.
 ///
 /// @code{.cpp}
 /// const std::string svg = to_svg(world, {.paths = {path}}, {.title = "My world"}).value();

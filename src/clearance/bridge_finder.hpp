@@ -32,7 +32,7 @@ struct BridgeScratch {
 
 /// Finds the bridges of a mesh, one candidate at a time.
 ///
-/// A *bridge* is the shortest connection between two pieces of wall at a gap: the segment from a wall vertex to another
+/// A *bridge* is the shortest connection between two walls at a gap: the segment from a wall vertex to another
 /// wall vertex, or from a wall vertex to the foot of its perpendicular strictly inside a wall. The closed disc whose
 /// diameter is the bridge touches walls at the two ends of the bridge only. So a bridge crosses no wall, and no other
 /// bridge. A disc whose diameter is larger than the bridge cannot have its centre on the bridge.

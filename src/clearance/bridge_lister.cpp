@@ -45,7 +45,7 @@ Box widened(const Box& box, const Box& domain) {
 struct BridgeLister::Query {
   const Triangulation& triangulation;
   const Bridges& bridges;
-  constraint::Cover& cover;
+  constraint::CoverFinder& cover_finder;
   constraint::BoxTest test;
 };
 
@@ -55,13 +55,13 @@ struct BridgeLister::Query {
 // q strictly inside, and also each later position of the bridge, for example one in the box. So a search beyond
 // `border` that crosses free edges, and enters a face if its circle meets `border` and the box, finds the start of the
 // bridge.
-void BridgeLister::list(const Triangulation& triangulation, const Bridges& bridges, constraint::Cover& cover,
-                        const Box& box, BridgeList& result) {
+void BridgeLister::list(const Triangulation& triangulation, const Bridges& bridges,
+                        constraint::CoverFinder& cover_finder, const Box& box, BridgeList& result) {
   result.bridges.clear();
   result.ids.clear();
   const Box near = widened(box, triangulation.domain());
   if (near.min.x > near.max.x || near.min.y > near.max.y) return;
-  const Query query{triangulation, bridges, cover, constraint::BoxTest(box)};
+  const Query query{triangulation, bridges, cover_finder, constraint::BoxTest(box)};
   const mesh::TriangleMesh& mesh = triangulation.topology();
   BridgeFinder finder(triangulation, scratch_);
   listed_.clear();
@@ -139,7 +139,7 @@ void BridgeLister::offer(const Query& query, const CellEdge& gate, Face connecte
 bool BridgeLister::is_open(const Query& query, Face f) {
   if (has(f, kOpen) || has(f, kCovered)) return has(f, kOpen);
   const mesh::TriangleMesh& mesh = query.triangulation.topology();
-  const Mark mark = query.cover.is_covered(query.triangulation, mesh::first(f)) ? kCovered : kOpen;
+  const Mark mark = query.cover_finder.is_covered(query.triangulation, mesh::first(f)) ? kCovered : kOpen;
   add(f, mark);
   connected_.assign(1, f);
   while (!connected_.empty()) {

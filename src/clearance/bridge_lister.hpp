@@ -9,7 +9,7 @@
 #include "clearance/bridge_finder.hpp"
 #include "clearance/bridges.hpp"
 #include "clearance/cells.hpp"
-#include "constraint/cover.hpp"
+#include "constraint/cover_finder.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
@@ -25,8 +25,8 @@ class BridgeLister {
   /// Lists the bridges that have a position in common with the closed box, without those in the interior of polygons.
   /// `cover` finds the polygons. Requires: `bridges` belongs to the triangulation. Cost: linear in the faces that meet
   /// the box and in the bridges that cross them, n log n in the list, and a search for the first face.
-  void list(const Triangulation& triangulation, const Bridges& bridges, constraint::Cover& cover, const Box& box,
-            BridgeList& result);
+  void list(const Triangulation& triangulation, const Bridges& bridges, constraint::CoverFinder& cover_finder,
+            const Box& box, BridgeList& result);
 
  private:
   /// What a query knows about a face. The member marks_ stores a sum of these values.

@@ -27,9 +27,8 @@ struct CellEdge {
   friend bool operator==(const CellEdge&, const CellEdge&) = default;
 };
 
-/// The cells into which walls and bridges divide the domain. A *cell* is a face of the planar graph of walls and
-/// bridges. A disc moves from one cell to the next across a bridge (a *gate*). It can cross the gate if its diameter is
-/// not larger than the length of the bridge.
+/// The cells: the regions into which walls and bridges divide the domain. A disc moves from one cell to the next across
+/// a bridge (a *gate*). It can cross the gate if its diameter is not larger than the length of the bridge.
 ///
 /// Two facts make cells the right pieces for discs:
 /// - The wall that is nearest to a position lies on the border of the position's cell: a straight line to the nearest

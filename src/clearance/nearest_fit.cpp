@@ -35,11 +35,6 @@ double distance_to(const Point& a, const Point& b) {
   return length(a + along * share);
 }
 
-Point unit(const Point& v) {
-  const double size = length(v);
-  return {v.x / size, v.y / size};
-}
-
 /// Returns the vector from the nearest position of a segment to `p`.
 Point away_from(const Point& p, const Point& a, const Point& b) {
   const Point along = b - a;
@@ -57,10 +52,10 @@ bool NearestFit::is_explicit(Vertex v) const {
   return triangulation_->triangulation().geometry().is_explicit(number(v));
 }
 
-std::optional<Point> NearestFit::find(const Triangulation& triangulation, constraint::Cover& cover,
+std::optional<Point> NearestFit::find(const Triangulation& triangulation, constraint::CoverFinder& cover_finder,
                                       NearWalls& near_walls, const Query& query, const Goal* goal) {
   triangulation_ = &triangulation;
-  cover_ = &cover;
+  cover_finder_ = &cover_finder;
   near_walls_ = &near_walls;
   goal_ = goal;
   query_ = query;
@@ -127,7 +122,7 @@ void NearestFit::look(HalfEdge h) {
 }
 
 void NearestFit::add_line(HalfEdge wall) {
-  if (cover_->is_covered(*triangulation_, wall)) return;
+  if (cover_finder_->is_covered(*triangulation_, wall)) return;
   const mesh::TriangleMesh& mesh = triangulation_->topology();
   const Point& from = position(mesh.origin(wall));
   const Point& to = position(mesh.target(wall));
@@ -218,7 +213,7 @@ bool NearestFit::is_outside(HalfEdge h, const Point& direction) {
     const bool is_right = cross(direction, position(mesh.apex(out)) - centre) >= 0.0;
     if (is_left && is_right) found = out;
   });
-  return found != mesh::kNoHalfEdge && !cover_->is_covered(*triangulation_, found);
+  return found != mesh::kNoHalfEdge && !cover_finder_->is_covered(*triangulation_, found);
 }
 
 /// Removes from `intervals_` the positions that are too near to a wall. Starts at the half-edges in `to_cross_`, and
@@ -413,7 +408,7 @@ bool NearestFit::try_point(const Point& point) {
 bool NearestFit::fits(const Point& point) {
   if (!is_in_range(point) || !triangulation_->domain().contains(point)) return false;
   return near_walls_->has_no_nearer_wall(*triangulation_, point, query_.radius) &&
-         !cover_->is_strictly_inside(*triangulation_, triangulation_->triangulation().locate(point));
+         !cover_finder_->is_strictly_inside(*triangulation_, triangulation_->triangulation().locate(point));
 }
 
 /// Returns whether a point where the disc fits is near enough and, if the query has a goal, connected with it.

@@ -9,7 +9,7 @@
 #include "clearance/disc_reach.hpp"
 #include "clearance/near_walls.hpp"
 #include "clearance/offset_curve.hpp"
-#include "constraint/cover.hpp"
+#include "constraint/cover_finder.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
@@ -46,7 +46,7 @@ class NearestFit {
   /// Returns the nearest point where the disc fits, or nothing if there is none within the limit. If `goal` is not
   /// null, the answer is the nearest of the points from which the disc can move to the goal. Of equally near points,
   /// the first in (x, y) order is the answer. Requires: the point lies in the domain.
-  [[nodiscard]] std::optional<Point> find(const Triangulation& triangulation, constraint::Cover& cover,
+  [[nodiscard]] std::optional<Point> find(const Triangulation& triangulation, constraint::CoverFinder& cover_finder,
                                           NearWalls& near_walls, const Query& query, const Goal* goal);
 
  private:
@@ -103,7 +103,7 @@ class NearestFit {
   [[nodiscard]] bool is_explicit(mesh::Vertex v) const;
 
   const Triangulation* triangulation_ = nullptr;
-  constraint::Cover* cover_ = nullptr;
+  constraint::CoverFinder* cover_finder_ = nullptr;
   NearWalls* near_walls_ = nullptr;
   const Goal* goal_ = nullptr;
   Query query_;

@@ -19,10 +19,6 @@ constexpr double kUnit = 0x1p-48;
 /// A bound of the errors of a parameter of a circle.
 constexpr double kAngle = 0x1p-46;
 
-Point unit(const Point& v) {
-  const double size = std::sqrt(squared_length(v));
-  return {v.x / size, v.y / size};
-}
 Point to_left(const Point& v) { return {-v.y, v.x}; }
 /// Returns 1 if rounding errors must make intervals shorter, -1 if they must make them longer, otherwise 0.
 double sign_of(OffsetCurve::Bias bias) {

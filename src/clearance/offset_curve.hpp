@@ -8,6 +8,12 @@
 
 namespace waywright::clearance {
 
+/// The vector of length 1 in the direction of `v`.
+inline Point unit(const Point& v) {
+  const double size = length(v);
+  return {v.x / size, v.y / size};
+}
+
 /// One of two curves: the straight line of the positions at the distance r from the line through a wall, on its left;
 /// or the circle of radius r around a vertex. If a disc of radius r does not fit at a position, the nearest position at
 /// which it fits lies on one of these curves.

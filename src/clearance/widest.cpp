@@ -35,53 +35,53 @@ Narrowest WidestSearch::find(const Cells& cells, const CellEdge& start, const Ce
   visited_.grow_to(cells.key_count());
   constexpr std::uint32_t kStamps = 2;
   stamp_.next(kStamps, visited_);
-  begin(cells, ends_[0], goal, stamp_.value());
-  begin(cells, ends_[1], start, stamp_.value() + 1);
-  if (enter(cells, ends_[0], start, &goal)) return {true, std::nullopt};
-  (void)enter(cells, ends_[1], goal, nullptr);
-  for (int current = 0; has_gates(ends_[current]); current = 1 - current) {
-    End& end = ends_[current];
-    const CellEdge beyond = cells.across(pop(cells, end));
+  begin(cells, searches_[0], goal, stamp_.value());
+  begin(cells, searches_[1], start, stamp_.value() + 1);
+  if (enter(cells, searches_[0], start, &goal)) return {true, std::nullopt};
+  (void)enter(cells, searches_[1], goal, nullptr);
+  for (int current = 0; has_gates(searches_[current]); current = 1 - current) {
+    Search& search = searches_[current];
+    const CellEdge beyond = cells.across(pop(cells, search));
     const std::uint32_t visited = visited_[cells.key(beyond)];
-    if (visited == ends_[1 - current].stamp) return narrower_level(cells);
-    if (visited != end.stamp) (void)enter(cells, end, beyond, nullptr);
+    if (visited == searches_[1 - current].stamp) return narrower_level(cells);
+    if (visited != search.stamp) (void)enter(cells, search, beyond, nullptr);
   }
   return {};
 }
 
-void WidestSearch::begin(const Cells& cells, End& end, const CellEdge& target, std::uint32_t stamp) {
-  end.target = cells.position_near(target);
-  end.stamp = stamp;
-  end.level.reset();
-  end.open.clear();
-  end.shorter.clear();
+void WidestSearch::begin(const Cells& cells, Search& search, const CellEdge& target, std::uint32_t stamp) {
+  search.target = cells.position_near(target);
+  search.stamp = stamp;
+  search.level.reset();
+  search.open.clear();
+  search.shorter.clear();
 }
 
 /// Removes the next gate to cross. If none is as long as the level, lowers the level. Requires: the search has gates.
-CellEdge WidestSearch::pop(const Cells& cells, End& end) {
-  if (!end.open.empty()) {
-    std::pop_heap(end.open.begin(), end.open.end(), kIsFarther);
-    const CellEdge gate = end.open.back().edge;
-    end.open.pop_back();
+CellEdge WidestSearch::pop(const Cells& cells, Search& search) {
+  if (!search.open.empty()) {
+    std::pop_heap(search.open.begin(), search.open.end(), kIsFarther);
+    const CellEdge gate = search.open.back().edge;
+    search.open.pop_back();
     return gate;
   }
   const auto is_less = [&](const Gate& p, const Gate& q) {
     return is_shorter(cells, p.edge, p.length, q.edge, q.length);
   };
-  std::pop_heap(end.shorter.begin(), end.shorter.end(), is_less);
-  end.level = end.shorter.back();
-  end.shorter.pop_back();
-  return end.level->edge;
+  std::pop_heap(search.shorter.begin(), search.shorter.end(), is_less);
+  search.level = search.shorter.back();
+  search.shorter.pop_back();
+  return search.level->edge;
 }
 
 /// Enters the cell of `from` and looks at its gates. Returns whether `other_end` is an edge of this cell.
-bool WidestSearch::enter(const Cells& cells, End& end, const CellEdge& from, const CellEdge* other_end) {
+bool WidestSearch::enter(const Cells& cells, Search& search, const CellEdge& from, const CellEdge* other_end) {
   CellEdge edge = from;
   do {
     if (other_end != nullptr && edge == *other_end) return true;
     if (edge.is_gate()) {
-      visited_[cells.key(edge)] = end.stamp;
-      see(cells, end, edge);
+      visited_[cells.key(edge)] = search.stamp;
+      see(cells, search, edge);
     }
     edge = cells.next(edge);
   } while (edge != from);
@@ -89,25 +89,25 @@ bool WidestSearch::enter(const Cells& cells, End& end, const CellEdge& from, con
 }
 
 /// Adds a gate of a cell that the search has entered, unless the search has entered the cell beyond it, too.
-void WidestSearch::see(const Cells& cells, End& end, const CellEdge& gate) {
-  if (visited_[cells.key(cells.across(gate))] == end.stamp) return;
+void WidestSearch::see(const Cells& cells, Search& search, const CellEdge& gate) {
+  if (visited_[cells.key(cells.across(gate))] == search.stamp) return;
   const exact::Gap gap = cells.gap(gate);
   const Gate seen{gate, exact::length(gap)};
-  if (end.level && !is_shorter(cells, seen.edge, seen.length, end.level->edge, end.level->length)) {
-    end.open.push_back({gate, squared_length(end.target - gap.from)});
-    std::push_heap(end.open.begin(), end.open.end(), kIsFarther);
+  if (search.level && !is_shorter(cells, seen.edge, seen.length, search.level->edge, search.level->length)) {
+    search.open.push_back({gate, squared_length(search.target - gap.from)});
+    std::push_heap(search.open.begin(), search.open.end(), kIsFarther);
     return;
   }
-  end.shorter.push_back(seen);
-  std::push_heap(end.shorter.begin(), end.shorter.end(),
+  search.shorter.push_back(seen);
+  std::push_heap(search.shorter.begin(), search.shorter.end(),
                  [&](const Gate& p, const Gate& q) { return is_shorter(cells, p.edge, p.length, q.edge, q.length); });
 }
 
 /// Returns the shorter of the two levels: the narrowest gate on the connection through the cell where the searches
 /// meet.
 Narrowest WidestSearch::narrower_level(const Cells& cells) const {
-  const std::optional<Gate>& a = ends_[0].level;
-  const std::optional<Gate>& b = ends_[1].level;
+  const std::optional<Gate>& a = searches_[0].level;
+  const std::optional<Gate>& b = searches_[1].level;
   if (!b) return {true, a->edge};
   if (!a) return {true, b->edge};
   return {true, is_shorter(cells, a->edge, a->length, b->edge, b->length) ? a->edge : b->edge};

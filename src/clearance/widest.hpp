@@ -47,7 +47,7 @@ class WidestSearch {
     double squared_distance;  ///< approximate, from the other end
   };
   /// The search from one end.
-  struct End {
+  struct Search {
     Point target;                ///< a position near the other end
     std::uint32_t stamp;         ///< marks the gates of the cells that this search has entered
     std::optional<Gate> level;   ///< nothing as long as the search has crossed no gate
@@ -55,14 +55,14 @@ class WidestSearch {
     std::vector<Gate> shorter;   ///< a heap of gates that are shorter than the level; the longest comes first
   };
 
-  static void begin(const Cells& cells, End& end, const CellEdge& target, std::uint32_t stamp);
-  [[nodiscard]] static bool has_gates(const End& end) { return !end.open.empty() || !end.shorter.empty(); }
-  [[nodiscard]] CellEdge pop(const Cells& cells, End& end);
-  [[nodiscard]] bool enter(const Cells& cells, End& end, const CellEdge& from, const CellEdge* other_end);
-  void see(const Cells& cells, End& end, const CellEdge& gate);
+  static void begin(const Cells& cells, Search& search, const CellEdge& target, std::uint32_t stamp);
+  [[nodiscard]] static bool has_gates(const Search& search) { return !search.open.empty() || !search.shorter.empty(); }
+  [[nodiscard]] CellEdge pop(const Cells& cells, Search& search);
+  [[nodiscard]] bool enter(const Cells& cells, Search& search, const CellEdge& from, const CellEdge* other_end);
+  void see(const Cells& cells, Search& search, const CellEdge& gate);
   [[nodiscard]] Narrowest narrower_level(const Cells& cells) const;
 
-  End ends_[2];                                 ///< the search from the start, the search from the goal
+  Search searches_[2];                          ///< the search from the start, the search from the goal
   memory::ZeroedArray<std::uint32_t> visited_;  ///< by key: the stamp of the search that has entered the gate's cell
   memory::Stamp stamp_;
 };

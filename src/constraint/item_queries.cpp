@@ -164,12 +164,12 @@ void append_items_in(const ExactTriangulation& triangulation, const Box& box, me
 
 }  // namespace
 
-void items_at(const ExactTriangulation& triangulation, Cover& cover, const Point& point, ItemQueryScratch& scratch,
-              std::vector<ItemId>& result) {
+void items_at(const ExactTriangulation& triangulation, CoverFinder& cover_finder, const Point& point,
+              ItemQueryScratch& scratch, std::vector<ItemId>& result) {
   const auto& delaunay = triangulation.triangulation();
   const locate::Located location = delaunay.locate(point);
   Slots& slots = scratch.slots;
-  slots = cover.of_location(triangulation, location);
+  slots = cover_finder.of_location(triangulation, location);
   if (location.kind == locate::LocatedKind::edge) append_items_of_edge(triangulation, location.h, slots);
   if (location.kind == locate::LocatedKind::vertex) {
     const mesh::Vertex v = triangulation.topology().origin(location.h);
@@ -198,14 +198,14 @@ void first_wall(const ExactTriangulation& triangulation, const Point& from, cons
 }
 
 // A polygon that covers the box, and has no side or corner in it, covers the box's first corner.
-void items_in(const ExactTriangulation& triangulation, Cover& cover, const Box& box, ItemQueryScratch& scratch,
-              std::vector<ItemId>& result) {
+void items_in(const ExactTriangulation& triangulation, CoverFinder& cover_finder, const Box& box,
+              ItemQueryScratch& scratch, std::vector<ItemId>& result) {
   const Box& domain = triangulation.domain();
   const Box clipped{{std::max(box.min.x, domain.min.x), std::max(box.min.y, domain.min.y)},
                     {std::min(box.max.x, domain.max.x), std::min(box.max.y, domain.max.y)}};
   const auto& delaunay = triangulation.triangulation();
   const locate::Located location = delaunay.locate(clipped.min);
-  scratch.slots = cover.of_location(triangulation, location);
+  scratch.slots = cover_finder.of_location(triangulation, location);
   faces_at(triangulation, location, scratch.faces);
   append_items_in(triangulation, clipped, scratch.faces.front(), scratch);
   fill_ids(triangulation, scratch.slots, result);

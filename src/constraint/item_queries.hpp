@@ -8,7 +8,7 @@
 #include "waywright/point.hpp"
 #include "waywright/ray.hpp"
 
-#include "constraint/cover.hpp"
+#include "constraint/cover_finder.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "constraint/slot_sets.hpp"
 
@@ -25,8 +25,8 @@ struct ItemQueryScratch {
 
 /// Finds the items that cover a point or have a side or corner there, in ascending order of ids. `cover` finds the
 /// polygons.
-void items_at(const ExactTriangulation& triangulation, Cover& cover, const Point& point, ItemQueryScratch& scratch,
-              std::vector<ItemId>& result);
+void items_at(const ExactTriangulation& triangulation, CoverFinder& cover_finder, const Point& point,
+              ItemQueryScratch& scratch, std::vector<ItemId>& result);
 
 /// Finds the items whose sides the segment meets, in order from `from` to `to`, each with the position where the
 /// segment meets it, rounded to doubles. If the segment runs along a side, the position is the point where the overlap
@@ -39,7 +39,7 @@ void first_wall(const ExactTriangulation& triangulation, const Point& from, cons
 
 /// Finds the items that have a point in common with the closed box, in ascending order of ids. `cover` finds the
 /// polygons. Requires: the box meets the domain.
-void items_in(const ExactTriangulation& triangulation, Cover& cover, const Box& box, ItemQueryScratch& scratch,
-              std::vector<ItemId>& result);
+void items_in(const ExactTriangulation& triangulation, CoverFinder& cover_finder, const Box& box,
+              ItemQueryScratch& scratch, std::vector<ItemId>& result);
 
 }  // namespace waywright::constraint

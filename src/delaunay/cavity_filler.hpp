@@ -31,9 +31,9 @@ class CavityFiller {
                             const std::vector<mesh::HalfEdge>& crossed, mesh::Label label);
 
   void count_memory(MemoryUse& use) const {
-    memory::count_spare(use, left_chain_, right_chain_, dangling_, cavity_, corners_, inner_edges_);
+    memory::count_spare(use, left_chain_, right_chain_, dangling_, cavity_, chain_vertices_, inner_edges_);
   }
-  void release() { memory::release(left_chain_, right_chain_, dangling_, cavity_, corners_, inner_edges_); }
+  void release() { memory::release(left_chain_, right_chain_, dangling_, cavity_, chain_vertices_, inner_edges_); }
 
  private:
   static constexpr std::uint32_t kNotDangling = 0xffffffff;
@@ -52,7 +52,7 @@ class CavityFiller {
 
   /// A vertex of a chain at which no ear has been cut off. An edge runs to it from the vertex before it. This edge is
   /// the chain edge `index`, or the half-edge `base` of a new triangle.
-  struct ChainCorner {
+  struct ChainVertex {
     mesh::Vertex vertex;
     std::uint32_t index;
     mesh::HalfEdge base;  ///< kNoHalfEdge if the edge is a chain edge
@@ -69,7 +69,7 @@ class CavityFiller {
   template <class Mesh>
   mesh::HalfEdge triangulate(const Geometry& geometry, Mesh& mesh, Chain& chain, mesh::Vertex end);
   template <class Mesh>
-  mesh::HalfEdge cut_ear(Mesh& mesh, Chain& chain, mesh::Vertex a, const ChainCorner& b, const ChainCorner& r);
+  mesh::HalfEdge cut_ear(Mesh& mesh, Chain& chain, mesh::Vertex a, const ChainVertex& b, const ChainVertex& r);
   template <class Mesh>
   bool legalise_cavity(const Geometry& geometry, Mesh& mesh);
   /// Links `inner`, the new half-edge of the chain edge `index`, to its twin. If the edge is dangling, waits
@@ -81,7 +81,7 @@ class CavityFiller {
   Chain left_chain_, right_chain_;
   std::vector<std::uint32_t> dangling_;
   std::vector<mesh::Face> cavity_;
-  std::vector<ChainCorner> corners_;
+  std::vector<ChainVertex> chain_vertices_;
   std::vector<mesh::HalfEdge> inner_edges_;  ///< the edges that cutting the ears has made, except u - w
 };
 
@@ -178,33 +178,33 @@ mesh::HalfEdge CavityFiller<Geometry>::triangulate(const Geometry& geometry, Mes
     return geometry.orientation(geometry.view(number(p)), geometry.view(number(q)), geometry.view(number(s)));
   };
   const auto last = static_cast<std::uint32_t>(chain.size());
-  corners_.clear();
-  corners_.push_back({chain.front().from, 0, mesh::kNoHalfEdge});
+  chain_vertices_.clear();
+  chain_vertices_.push_back({chain.front().from, 0, mesh::kNoHalfEdge});
   for (std::uint32_t i = 1; i <= last; ++i) {
-    ChainCorner r{i == last ? end : chain[i].from, i - 1, mesh::kNoHalfEdge};
-    while (corners_.size() > 1) {
-      const ChainCorner& b = corners_.back();
-      const ChainCorner& a = corners_[corners_.size() - 2];
+    ChainVertex r{i == last ? end : chain[i].from, i - 1, mesh::kNoHalfEdge};
+    while (chain_vertices_.size() > 1) {
+      const ChainVertex& b = chain_vertices_.back();
+      const ChainVertex& a = chain_vertices_[chain_vertices_.size() - 2];
       if (orientation(a.vertex, b.vertex, r.vertex) != exact::Sign::negative) break;
       r.base = cut_ear(mesh, chain, a.vertex, b, r);
-      corners_.pop_back();
+      chain_vertices_.pop_back();
     }
-    corners_.push_back(r);
+    chain_vertices_.push_back(r);
   }
-  return corners_.back().base;
+  return chain_vertices_.back().base;
 }
 
 /// Makes the triangle of `a`, `b` and `r`. Returns its half-edge from `a` to `r`, which has no twin yet.
 template <class Geometry>
 template <class Mesh>
-mesh::HalfEdge CavityFiller<Geometry>::cut_ear(Mesh& mesh, Chain& chain, mesh::Vertex a, const ChainCorner& b,
-                                               const ChainCorner& r) {
+mesh::HalfEdge CavityFiller<Geometry>::cut_ear(Mesh& mesh, Chain& chain, mesh::Vertex a, const ChainVertex& b,
+                                               const ChainVertex& r) {
   const mesh::Face f = mesh.add_face();
   const mesh::HalfEdge base = mesh::first(f);
   mesh.set_vertices(f, a, r.vertex, b.vertex);
-  const auto join = [&](mesh::HalfEdge inner, const ChainCorner& corner) {
-    if (corner.base == mesh::kNoHalfEdge) return link_chain_edge(mesh, chain, corner.index, inner);
-    mesh.link(inner, corner.base, 0);
+  const auto join = [&](mesh::HalfEdge inner, const ChainVertex& end) {
+    if (end.base == mesh::kNoHalfEdge) return link_chain_edge(mesh, chain, end.index, inner);
+    mesh.link(inner, end.base, 0);
     inner_edges_.push_back(inner);
   };
   join(mesh::next(base), r);

@@ -16,7 +16,7 @@ namespace {
 // u and E = d - c:
 //   f(0) = C . (C - W), f'(0) = E . (2 C - W), and similarly at t = 1.
 // The least value of f is the product of the distances of the line cd from u and v, with signs, less the square of half
-// of W's component along the line: min f = (E x C) (E x (C - W)) / |E|^2 - (E . W)^2 / (4 |E|^2). (The centre of the
+// of the projection of W on the line: min f = (E x C) (E x (C - W)) / |E|^2 - (E . W)^2 / (4 |E|^2). (The centre of the
 // disc has the distance |E x (2 C - W)| / (2 |E|) from the line, and the radius is |W| / 2. Lagrange's identity
 // |E|^2 |W|^2 = (E x W)^2 + (E . W)^2 gives the formula.)
 //
@@ -47,8 +47,8 @@ struct DiscToPoint {
   [[nodiscard]] auto least() const {
     const auto from_u = cross_product(d - c, c - u);
     const auto from_v = cross_product(d - c, c - v);
-    const auto component = along();
-    return (from_u + from_u) * (from_v + from_v) - component * component;
+    const auto projection = along();
+    return (from_u + from_u) * (from_v + from_v) - projection * projection;
   }
   [[nodiscard]] auto along() const { return dot_product(d - c, v - u); }
 };
@@ -80,8 +80,8 @@ class DiscToFoot {
   [[nodiscard]] auto least() const {
     const auto from_u = cross_product(cd_, c_ - u_);
     const auto from_v = m_ * from_u - x_ * dot_product(ab_, cd_);
-    const auto component = along();
-    return ((m_ + m_) * (from_u + from_u)) * from_v - component * component;
+    const auto projection = along();
+    return ((m_ + m_) * (from_u + from_u)) * from_v - projection * projection;
   }
   [[nodiscard]] auto along() const { return x_ * cross_product(ab_, cd_); }
 

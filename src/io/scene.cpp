@@ -4,41 +4,30 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
-#include <memory>
 #include <sstream>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "waywright/save.hpp"
 #include "waywright/script.hpp"
 
+#include "io/input_file.hpp"
 #include "io/saved_world.hpp"
 #include "io/triangle.hpp"
 
 namespace waywright {
 namespace {
 
-struct FileCloser {
-  void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
-};
-
-Error unreadable(const std::string& file_name, int reason) {
-  return Error{.code = ErrorCode::unreadable,
-               .words = file_name + ": cannot be read: " + std::generic_category().message(reason),
-               .item = {}};
-}
-
 Result<std::string> read_file(const std::string& file_name) {
-  const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(file_name.c_str(), "rb"));
-  if (!file) return unreadable(file_name, errno);
+  const io::InputFile file = io::open_input_file(file_name);
+  if (!file) return io::unreadable(file_name, errno);
   std::string text;
   std::array<char, std::size_t{1} << 16> chunk{};
   while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
     text.append(chunk.data(), count);
   }
-  if (std::ferror(file.get()) != 0) return unreadable(file_name, errno);
+  if (std::ferror(file.get()) != 0) return io::unreadable(file_name, errno);
   return text;
 }
 

@@ -186,7 +186,7 @@ bool ScriptParser::read_line(std::string_view word) {
   if (word == "domain") return script_.domain_line == 0 ? read_domain() : fail("only one domain", word);
   const auto grammar =
       std::find_if(kGrammars.begin(), kGrammars.end(), [&](const Grammar& g) { return g.word == word; });
-  if (grammar == kGrammars.end()) return fail("an operation", word);
+  if (grammar == kGrammars.end()) return fail("a word such as 'point' or 'path'", word);
   if (script_.domain_line == 0) return fail("'domain X0 Y0 X1 Y1' before anything else", word);
   usage_ = grammar->usage;
   ScriptLine line;

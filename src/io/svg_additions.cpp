@@ -12,7 +12,7 @@ namespace waywright::io {
 namespace {
 
 constexpr double kLeastRadius = 3.0;    // of a disc, in pixels
-constexpr double kCharacter = 0.58;     // width of a letter, as a fraction of the font size
+constexpr double kLetter = 0.58;        // width of a letter, as a fraction of the font size
 constexpr double kLabelDistance = 8.0;  // pixels between a disc and its label
 
 Paint paint_of(const std::string& colour, Ink otherwise) { return {otherwise, colour}; }
@@ -51,7 +51,7 @@ std::string draw_label(const SvgLabel& label, const SvgFrame& frame, const Palet
   const double size = within(label.size, 4.0, 200.0);
   TextMark text{frame.to_picture(label.at), "start", size, paint_of(label.colour, Ink::text)};
   const double distance = kLabelDistance + within(label.radius * frame.scale(), 0.0, 1e7);
-  const double room = distance + kCharacter * size * static_cast<double>(character_count(label.text));
+  const double room = distance + kLetter * size * static_cast<double>(character_count(label.text));
   const Box& map = frame.map();
   const bool is_left = text.at.x + room > map.max.x && text.at.x - room >= map.min.x;
   if (is_left) text.anchor = "end";

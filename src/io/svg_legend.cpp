@@ -12,12 +12,13 @@ namespace waywright::io {
 namespace {
 
 constexpr double kRowHeight = 26.0;
-constexpr double kSpace = 8.0;      // between a sample and its label
-constexpr double kSpacing = 26.0;   // between entries
-constexpr double kCharacter = 7.6;  // width of a wide character; the real fonts are not known here
+constexpr double kSampleSpace = 8.0;      // between a sample and its label
+constexpr double kSpacing = 26.0;         // between entries
+constexpr double kLegendCharacter = 7.6;  // width of a wide character; the real fonts are not known here
 
 double entry_width(const LegendEntry& entry) {
-  return entry.sample_width + kSpace + static_cast<double>(character_count(entry.label)) * kCharacter + kSpacing;
+  return entry.sample_width + kSampleSpace + static_cast<double>(character_count(entry.label)) * kLegendCharacter +
+         kSpacing;
 }
 
 /// Returns the position of each entry, in rows that fit the width.
@@ -48,7 +49,7 @@ std::string legend(const std::vector<LegendEntry>& entries, const Palette& palet
     out += ")\">";
     out += entries[i].sample;
     out += "<text";
-    append_attribute(out, "x", entries[i].sample_width + kSpace);
+    append_attribute(out, "x", entries[i].sample_width + kSampleSpace);
     append_attribute(out, "y", 13.0);
     out += '>';
     append_escaped(out, entries[i].label);

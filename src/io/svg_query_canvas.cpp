@@ -11,7 +11,7 @@ namespace waywright::io {
 
 namespace {
 
-constexpr std::size_t kMostHints = 50000;  // largest number of marks with a hint
+constexpr std::size_t kMostMarkHints = 50000;  // largest number of marks with a hint
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void count_failure(FailureCounts& counts, PathStatus status) {
 QueryCanvas::QueryCanvas(const SvgOverlay& overlay, const SvgFrame& frame, const Palette& palette)
     : frame_(frame), palette_(palette) {
   const std::size_t path_count = overlay.disc_paths.size() + overlay.paths.size() + overlay.failed_paths.size();
-  has_hints_ = path_count + overlay.rays.size() + overlay.locations.size() <= kMostHints;
+  has_hints_ = path_count + overlay.rays.size() + overlay.locations.size() <= kMostMarkHints;
   const bool is_crowded = path_count >= kManyQueries;
   path_width_ = is_crowded ? 2.0 : 4.5;
   end_radius_ = is_crowded ? 4.0 : 8.0;

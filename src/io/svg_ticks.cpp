@@ -19,7 +19,7 @@ constexpr int kLargestExponent = 32;
 constexpr std::array<std::int64_t, 3> kMantissas{1, 2, 5};
 constexpr double kFinest = 0x1p-48;    // least step that doubles resolve, as a fraction of the largest coordinate
 constexpr std::size_t kLongLabel = 8;  // labels of up to this many characters are easy to read
-constexpr double kSpace = 14.0;        // least distance of two labels, in pixels
+constexpr double kLabelSpace = 14.0;   // least distance of two labels, in pixels
 
 /// The number mantissa * 10^exponent.
 struct Decimal {
@@ -117,7 +117,7 @@ std::vector<Tick> ticks_between(double min, double max, const TickRoom& room) {
     std::vector<Tick> shorter = labelled(numbers, scientific);
     if (longest_label(ticks) > kLongLabel && longest_label(shorter) < longest_label(ticks)) ticks.swap(shorter);
     return ticks.size() < 2 ||
-           static_cast<double>(longest_label(ticks)) * room.pixels_per_character + kSpace <= spacing;
+           static_cast<double>(longest_label(ticks)) * room.pixels_per_character + kLabelSpace <= spacing;
   });
   return ticks;
 }

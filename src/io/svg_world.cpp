@@ -17,23 +17,23 @@ namespace {
 
 // The largest numbers of items with hints, and of free edges. A picture with more would be too large for viewers, and
 // too dense to read.
-constexpr std::size_t kMostHints = 50000;
+constexpr std::size_t kMostItemHints = 50000;
 constexpr std::size_t kMostEdges = 300000;
 
 /// The items that the picture shows, grouped by how they are drawn.
 struct DrawnItems {
   std::vector<Item> solids;
-  std::vector<Item> walls;
+  std::vector<Item> polylines;  ///< and segments
   std::vector<Item> dots;
 
-  [[nodiscard]] std::size_t count() const { return solids.size() + walls.size() + dots.size(); }
+  [[nodiscard]] std::size_t count() const { return solids.size() + polylines.size() + dots.size(); }
 };
 
 /// Line widths in pixels: wide if there is room, narrow if the mesh is dense.
 struct Strokes {
   double mesh = 0.0;
   double solid = 0.0;
-  double wall = 0.0;
+  double polyline = 0.0;
   double dot = 0.0;
 };
 
@@ -47,7 +47,7 @@ void sort_item(Item item, DrawnItems& items) {
   } else if (is_one_point(item.shape.rings.front())) {
     items.dots.push_back(std::move(item));
   } else {
-    items.walls.push_back(std::move(item));
+    items.polylines.push_back(std::move(item));
   }
 }
 
@@ -73,7 +73,7 @@ Strokes strokes_for(const World& world, double scale) {
   Strokes strokes;
   strokes.mesh = std::clamp(spacing / 24.0, 0.12, 0.8);
   strokes.solid = std::clamp(spacing / 14.0, 0.2, 1.5);
-  strokes.wall = std::clamp(spacing / 7.0, 0.6, 3.2);
+  strokes.polyline = std::clamp(spacing / 7.0, 0.6, 3.2);
   strokes.dot = std::clamp(spacing / 7.0, 0.6, 3.2);
   return strokes;
 }
@@ -100,12 +100,12 @@ class WorldDrawer {
         palette_(palette),
         items_(drawn_items(world, options)),
         strokes_(strokes_for(world, frame.scale())),
-        has_hints_(options.ids && items_.count() <= kMostHints) {}
+        has_hints_(options.ids && items_.count() <= kMostItemHints) {}
 
   [[nodiscard]] WorldDrawing draw() const {
     WorldDrawing drawing;
     const MeshDrawing mesh = draw_mesh();
-    drawing.elements = draw_ground() + mesh.elements + draw_solids() + draw_walls() + draw_dots() + draw_border();
+    drawing.elements = draw_ground() + mesh.elements + draw_solids() + draw_polylines() + draw_dots() + draw_border();
     drawing.entries = entries(mesh.is_too_large);
     return drawing;
   }
@@ -195,12 +195,12 @@ class WorldDrawer {
     return out + "</g>\n";
   }
 
-  /// Draws one element for each wall. If walls have no hints, it draws one element for many walls, which takes far less
-  /// room.
-  [[nodiscard]] std::string draw_walls() const {
-    std::string out = open_group("walls", Ink::none, Ink::wall, strokes_.wall) + ">\n";
+  /// Draws one element for each polyline. If polylines have no hints, it draws one element for many, which takes far
+  /// less room.
+  [[nodiscard]] std::string draw_polylines() const {
+    std::string out = open_group("lines", Ink::none, Ink::wall, strokes_.polyline) + ">\n";
     PathData all(frame_);
-    for (const Item& item : items_.walls) {
+    for (const Item& item : items_.polylines) {
       const PointSpan chain = item.shape.rings.front();
       if (!has_hints_) {
         all.add_chain(chain);
@@ -250,11 +250,11 @@ class WorldDrawer {
     return "<g" + palette_({Ink::point}, {Ink::none}) + ">" + circle({14.0, 8.0}, 3.2) + "</g>";
   }
 
-  /// Returns the label of the mesh. It has the number of triangles only if the picture shows the whole world: for a
-  /// crop, counting them would take a search.
-  [[nodiscard]] std::string mesh_label(bool is_too_large) const {
-    const std::string label = options_.crop ? "mesh" : counted(world_.triangle_count(), "triangle", "triangles");
-    return is_too_large ? label + ", too many edges to draw" : label;
+  /// Returns the text of the entry for the mesh. It has the number of triangles only if the picture shows the whole
+  /// world: for a crop, counting them would take a search.
+  [[nodiscard]] std::string mesh_text(bool is_too_large) const {
+    const std::string text = options_.crop ? "mesh" : counted(world_.triangle_count(), "triangle", "triangles");
+    return is_too_large ? text + ", too many edges to draw" : text;
   }
 
   [[nodiscard]] std::vector<LegendEntry> entries(bool is_too_large) const {
@@ -263,9 +263,9 @@ class WorldDrawer {
       if (count > 0) entries.push_back({std::move(sample), counted(count, one, many)});
     };
     add(items_.solids.size(), solid_sample(), "solid", "solids");
-    add(items_.walls.size(), line_sample(palette_, {Ink::wall}, 3.2), "wall", "walls");
+    add(items_.polylines.size(), line_sample(palette_, {Ink::wall}, 3.2), "polyline", "polylines");
     add(items_.dots.size(), dot_sample(), "point", "points");
-    if (options_.mesh) entries.push_back({line_sample(palette_, {Ink::mesh}, 1.2), mesh_label(is_too_large)});
+    if (options_.mesh) entries.push_back({line_sample(palette_, {Ink::mesh}, 1.2), mesh_text(is_too_large)});
     return entries;
   }
 

@@ -24,7 +24,7 @@ struct WorldDrawing {
 [[nodiscard]] std::string line_sample(const Palette& palette, const Paint& colour, double stroke_width,
                                       std::string_view attributes = {});
 
-/// Returns a count with its noun: `1 wall`, `2 walls`.
+/// Returns a count with its noun: `1 polyline`, `2 polylines`.
 [[nodiscard]] std::string counted(std::size_t count, std::string_view one, std::string_view many);
 
 [[nodiscard]] WorldDrawing draw_world(const World& world, const SvgFrame& frame, const SvgOptions& options,

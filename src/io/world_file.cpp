@@ -1,22 +1,17 @@
 #include <cerrno>
 #include <cstdio>
 #include <istream>
-#include <memory>
 #include <ostream>
 #include <streambuf>
 #include <string>
-#include <system_error>
 
 #include "waywright/save.hpp"
 
+#include "io/input_file.hpp"
 #include "io/replace_file.hpp"
 
 namespace waywright {
 namespace {
-
-struct FileCloser {
-  void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
-};
 
 /// Makes a stream of a file. std::fstream does not report the system's reason for a failure.
 class FileBuffer : public std::streambuf {
@@ -35,11 +30,6 @@ class FileBuffer : public std::streambuf {
  private:
   std::FILE* file_;
 };
-
-Error unreadable(const std::string& file_name, int fault) {
-  std::string message = file_name + ": cannot be read: " + std::generic_category().message(fault);
-  return {ErrorCode::unreadable, std::move(message), {}, 0};
-}
 
 Error in_file(const std::string& file_name, Error error) {
   error.words = file_name + ": " + error.message();
@@ -63,14 +53,14 @@ Result<void> save_world_file(const World& world, const std::string& file_name) {
 }
 
 Result<World> load_world_file(const std::string& file_name, const BulkOptions& options) {
-  const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(file_name.c_str(), "rb"));
-  if (!file) return unreadable(file_name, errno);
+  const io::InputFile file = io::open_input_file(file_name);
+  if (!file) return io::unreadable(file_name, errno);
   FileBuffer buffer(file.get());
   std::istream stream(&buffer);
   errno = 0;
   Result<World> world = load_world(stream, options);
   const int fault = errno;
-  if (std::ferror(file.get()) != 0) return unreadable(file_name, fault);
+  if (std::ferror(file.get()) != 0) return io::unreadable(file_name, fault);
   if (!world.ok()) return in_file(file_name, world.error());
   if (std::fgetc(file.get()) != EOF) {
     return in_file(file_name, {ErrorCode::malformed, "there are more bytes after the saved world", {}, 0});

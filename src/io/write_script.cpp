@@ -12,7 +12,7 @@
 namespace waywright {
 namespace {
 
-void append_point(std::string& out, Point point) {
+void append_coordinates(std::string& out, Point point) {
   out += ' ';
   text::append_number(out, point.x);
   out += ' ';
@@ -25,7 +25,7 @@ void append_ring(std::string& out, PointSpan ring, bool with_count) {
     out += ' ';
     text::append_unsigned(out, ring.size());
   }
-  for (const Point point : ring) append_point(out, point);
+  for (const Point point : ring) append_coordinates(out, point);
 }
 
 }  // namespace
@@ -51,8 +51,8 @@ void io::append_item(std::string& out, ItemId id, const Shape& shape) {
 
 void io::append_header(std::string& out, const Box& domain) {
   out += "waywright 1\ndomain";
-  append_point(out, domain.min);
-  append_point(out, domain.max);
+  append_coordinates(out, domain.min);
+  append_coordinates(out, domain.max);
   out += '\n';
 }
 

@@ -11,7 +11,7 @@
 #include "waywright/memory_use.hpp"
 
 #include "base/compiler.hpp"
-#include "constraint/cover.hpp"
+#include "constraint/cover_finder.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "constraint/slot_sets.hpp"
 #include "memory/free_list.hpp"

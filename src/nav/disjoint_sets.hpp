@@ -10,7 +10,7 @@
 
 namespace waywright::nav {
 
-/// Returns the root of the set of `i`. Halves the path to it.
+/// Returns the root of the set of `i`. Halves the way to it.
 [[nodiscard]] inline std::uint32_t root_of(std::vector<std::uint32_t>& sets, std::uint32_t i) {
   while (sets[i] != i) i = sets[i] = sets[sets[i]];
   return i;

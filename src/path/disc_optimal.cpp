@@ -15,7 +15,7 @@ using mesh::Vertex;
 namespace {
 
 /// When the search has followed a window over this many faces, it computes the bound of the window again.
-constexpr int kFacesBetweenBounds = 8;
+constexpr int kFacesBetweenOffers = 8;
 
 /// Consider the line through the vertex of a root, in the direction in which the path arrives there. Suppose that the
 /// path turns left at the root and another vertex lies right of this line, or the reverse. If this vertex is farther
@@ -168,7 +168,7 @@ void DiscOptimal::follow(Window window) {
       if (is_outside(root, window.left.direction, window.right.direction, exit, edge)) return;
       window.entry = mesh.twin(exit);
     }
-    if (faces % kFacesBetweenBounds == 0) return offer(window, edge);
+    if (faces % kFacesBetweenOffers == 0) return offer(window, edge);
   }
 }
 

@@ -29,7 +29,7 @@ class Ends::StraightLine : public constraint::SegmentVisitor {
   bool through_face(HalfEdge h) {
     if (is_inside_) [[likely]]
       return true;
-    if (ends_.cover_.is_covered(*ends_.triangulation_, h)) return stop();
+    if (ends_.cover_finder_.is_covered(*ends_.triangulation_, h)) return stop();
     return is_inside_ = true;
   }
 
@@ -68,7 +68,7 @@ void Ends::set_start(const Triangulation& triangulation, const nav::Abstraction*
                      const std::optional<double>& tolerance) {
   triangulation_ = &triangulation;
   abstraction_ = abstraction;
-  cover_.use(abstraction);
+  cover_finder_.use(abstraction);
   start_ = start;
   tolerance_ = tolerance;
   start_location_ = triangulation.triangulation().locate(start);
@@ -104,9 +104,10 @@ std::optional<PathStatus> Ends::find_status_without_search(const Point& goal) {
 std::optional<PathStatus> Ends::known_status() {
   std::swap(tried_, crossed_);
   crossed_.clear();
-  const bool is_start_blocked = start_faces_.empty() && cover_.is_strictly_inside(*triangulation_, start_location_);
+  const bool is_start_blocked =
+      start_faces_.empty() && cover_finder_.is_strictly_inside(*triangulation_, start_location_);
   if (is_start_blocked) return PathStatus::start_blocked;
-  const bool is_goal_blocked = goal_faces_.empty() && cover_.is_strictly_inside(*triangulation_, goal_location_);
+  const bool is_goal_blocked = goal_faces_.empty() && cover_finder_.is_strictly_inside(*triangulation_, goal_location_);
   if (is_goal_blocked) return PathStatus::goal_blocked;
   if (start_ == goal_) return PathStatus::found;
   if (start_faces_.empty() || goal_faces_.empty()) return PathStatus::no_path;
@@ -127,11 +128,11 @@ bool Ends::sees_goal() {
 
 // A position strictly inside a polygon has no open face around it.
 void Ends::find_start_faces() {
-  start_faces_ = cover_.open_faces(*triangulation_, start_location_);
+  start_faces_ = cover_finder_.open_faces(*triangulation_, start_location_);
   is_start_known_ = true;
 }
 
-void Ends::find_goal_faces() { goal_faces_ = cover_.open_faces(*triangulation_, goal_location_); }
+void Ends::find_goal_faces() { goal_faces_ = cover_finder_.open_faces(*triangulation_, goal_location_); }
 
 /// Moves the ends that have no open face around them. Returns whether both ends now have an open face around them.
 bool Ends::move_blocked_ends() {
@@ -185,12 +186,12 @@ std::optional<Point> Ends::find_free_position(const Point& end, const locate::Lo
   if (abstraction_ != nullptr && !other_faces.empty()) {
     if (const auto found = find_connected_position(end, location, other_faces, limit)) return found;
   }
-  return free_positions_.nearest(*triangulation_, cover_, end, location, limit, {});
+  return free_positions_.nearest(*triangulation_, cover_finder_, end, location, limit, {});
 }
 
 std::optional<Point> Ends::find_connected_position(const Point& end, const locate::Located& location,
                                                    const std::vector<HalfEdge>& other_faces, double limit) {
-  return free_positions_.nearest(*triangulation_, cover_, end, location, limit,
+  return free_positions_.nearest(*triangulation_, cover_finder_, end, location, limit,
                                  {&abstraction_->components(), &other_faces});
 }
 
@@ -200,14 +201,14 @@ void Ends::write_moved_and_blocked(PathStatus status, Path& path) {
   const bool is_start = status == PathStatus::start_blocked;
   if (!is_start && status != PathStatus::goal_blocked) return;
   for (const std::uint32_t slot :
-       cover_.strictly_covering(*triangulation_, is_start ? start_location_ : goal_location_)) {
+       cover_finder_.strictly_covering(*triangulation_, is_start ? start_location_ : goal_location_)) {
     path.blockers.push_back(triangulation_->items().id(slot));
   }
   std::sort(path.blockers.begin(), path.blockers.end());
 }
 
 bool Ends::are_covered() {
-  const auto is_covered = [&](HalfEdge h) { return cover_.is_covered(*triangulation_, h); };
+  const auto is_covered = [&](HalfEdge h) { return cover_finder_.is_covered(*triangulation_, h); };
   return std::any_of(start_faces_.begin(), start_faces_.end(), is_covered) ||
          std::any_of(goal_faces_.begin(), goal_faces_.end(), is_covered);
 }

@@ -5,9 +5,9 @@
 
 #include "waywright/path.hpp"
 
-#include "constraint/cover.hpp"
+#include "constraint/cover_finder.hpp"
 #include "nav/abstraction.hpp"
-#include "nav/kept_cover.hpp"
+#include "nav/component_cover_finder.hpp"
 #include "path/free_positions.hpp"
 
 namespace waywright::path {
@@ -47,7 +47,7 @@ class Ends {
   [[nodiscard]] const Point& goal() const { return goal_; }
   [[nodiscard]] const locate::Located& start_location() const { return start_location_; }
   /// The open faces around the start, and those around the goal. A half-edge stands for each face.
-  /// constraint::Cover::open_faces() describes which half-edge, and the order of the faces. Requires:
+  /// constraint::CoverFinder::open_faces() describes which half-edge, and the order of the faces. Requires:
   /// find_status_without_search() returned nothing.
   [[nodiscard]] const std::vector<mesh::HalfEdge>& start_faces() const { return start_faces_; }
   [[nodiscard]] const std::vector<mesh::HalfEdge>& goal_faces() const { return goal_faces_; }
@@ -106,7 +106,7 @@ class Ends {
   std::vector<mesh::HalfEdge> goal_faces_;
   std::vector<mesh::HalfEdge> crossed_;
   std::vector<mesh::HalfEdge> tried_;
-  nav::KeptCover cover_;
+  nav::ComponentCoverFinder cover_finder_;
   FreePositions free_positions_;
 };
 

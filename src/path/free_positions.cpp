@@ -38,12 +38,12 @@ std::array<double, 3> neighbours(double value) {
 
 }  // namespace
 
-std::optional<Point> FreePositions::nearest(const Triangulation& triangulation, constraint::Cover& cover,
+std::optional<Point> FreePositions::nearest(const Triangulation& triangulation, constraint::CoverFinder& cover_finder,
                                             const Point& point, const locate::Located& location, double limit,
                                             const Connection& connection) {
   if (limit < kLeastLimit) return std::nullopt;
   triangulation_ = &triangulation;
-  cover_ = &cover;
+  cover_finder_ = &cover_finder;
   point_ = point;
   slack_ = 0x1p-46 * exact::filter::largest_magnitude(triangulation.domain());
   refused_.clear();
@@ -109,7 +109,7 @@ double FreePositions::distance_to(HalfEdge h) const {
 }
 
 bool FreePositions::is_open(HalfEdge h, const Connection& connection) {
-  return !cover_->is_covered(*triangulation_, h) && connection.contains(h);
+  return !cover_finder_->is_covered(*triangulation_, h) && connection.contains(h);
 }
 
 bool FreePositions::Connection::contains(HalfEdge h) const {

@@ -7,7 +7,7 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
-#include "constraint/cover.hpp"
+#include "constraint/cover_finder.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "locate/walk.hpp"
 #include "memory/pages.hpp"
@@ -38,7 +38,7 @@ class FreePositions {
   /// nearest free point among the result and the eight points around it. If none of them is free, the function
   /// continues with the next position, on another edge. Requires: no face around `location` is open, `point` lies at
   /// `location`, `limit` is positive. Cost: the covered faces within the distance of the answer, or of `limit`.
-  [[nodiscard]] std::optional<Point> nearest(const Triangulation& triangulation, constraint::Cover& cover,
+  [[nodiscard]] std::optional<Point> nearest(const Triangulation& triangulation, constraint::CoverFinder& cover_finder,
                                              const Point& point, const locate::Located& location, double limit,
                                              const Connection& connection);
 
@@ -59,7 +59,7 @@ class FreePositions {
   [[nodiscard]] bool is_free(const Point& point, const Connection& connection);
 
   const Triangulation* triangulation_ = nullptr;
-  constraint::Cover* cover_ = nullptr;
+  constraint::CoverFinder* cover_finder_ = nullptr;
   Point point_;
   double slack_ = 0.0;                  ///< a bound of the rounding error of a distance in doubles
   double nearest_ = 0.0;                ///< `slack_` plus the smaller of `limit` and the least candidate distance

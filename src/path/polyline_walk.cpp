@@ -15,14 +15,14 @@ using exact::Sign;
 using locate::LocatedKind;
 using mesh::HalfEdge;
 
-bool PolylineWalk::is_clear(const Triangulation& triangulation, constraint::Cover& cover,
+bool PolylineWalk::is_clear(const Triangulation& triangulation, constraint::CoverFinder& cover_finder,
                             std::span<const Point> points) {
   if (points.empty()) return false;
   use(triangulation);
-  const locate::Located start = start_at(cover, points.front());
+  const locate::Located start = start_at(cover_finder, points.front());
   if (states_.empty()) {
     const bool stays = std::all_of(points.begin(), points.end(), [&](const Point& p) { return p == points.front(); });
-    return stays && !cover.is_strictly_inside(triangulation, start);
+    return stays && !cover_finder.is_strictly_inside(triangulation, start);
   }
   for (std::size_t i = 1; i < points.size() && !states_.empty(); ++i) walk_to(points, i);
   return !states_.empty();
@@ -32,7 +32,8 @@ bool PolylineWalk::is_clear(const Triangulation& triangulation, constraint::Cove
 // which. So it starts in all of them. If the agent cannot pass from any of them, the piece is blocked. Otherwise it can
 // pass from the one wedge into which the segment leads: only a segment along a wall leads into two wedges. For the same
 // reason it reaches the last point in the same wedge as before, and the rest of the polyline is as it was.
-PolylineWalk::PieceState PolylineWalk::find_piece_state(const Triangulation& triangulation, constraint::Cover& cover,
+PolylineWalk::PieceState PolylineWalk::find_piece_state(const Triangulation& triangulation,
+                                                        constraint::CoverFinder& cover_finder,
                                                         std::span<const Point> points, std::size_t first,
                                                         std::size_t last) {
   use(triangulation);
@@ -41,7 +42,7 @@ PolylineWalk::PieceState PolylineWalk::find_piece_state(const Triangulation& tri
     collect_crossings_at(points[first]);
     if (!possible_ends_.empty()) return PieceState::unsure;
   }
-  static_cast<void>(start_at(cover, points[first]));
+  static_cast<void>(start_at(cover_finder, points[first]));
   if (states_.empty()) return PieceState::unsure;
   for (std::size_t i = first + 1; i <= last && !states_.empty(); ++i) walk_to(points, i);
   if (states_.empty()) return PieceState::blocked;
@@ -55,10 +56,10 @@ void PolylineWalk::use(const Triangulation& triangulation) {
 }
 
 /// Sets `states_` to all faces in which an agent at `point` can be. Returns where the point is.
-locate::Located PolylineWalk::start_at(constraint::Cover& cover, const Point& point) {
+locate::Located PolylineWalk::start_at(constraint::CoverFinder& cover_finder, const Point& point) {
   const locate::Located start = triangulation_->triangulation().locate(point);
   arrived_.clear();
-  for (const HalfEdge h : cover.open_faces(*triangulation_, start)) {
+  for (const HalfEdge h : cover_finder.open_faces(*triangulation_, start)) {
     const HalfEdge canonical = start.kind == LocatedKind::vertex ? first_of_wedge(h) : h;
     add_arrived({start.kind, canonical, exact::Geometry::view(point)});
   }

@@ -7,7 +7,7 @@
 
 #include "waywright/point.hpp"
 
-#include "constraint/cover.hpp"
+#include "constraint/cover_finder.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "locate/walk.hpp"
 
@@ -31,7 +31,7 @@ class PolylineWalk {
   /// path contains the rounded coordinates of a crossing. Returns false if there are no points, or if the first lies
   /// strictly inside a polygon. Requires: all points lie in the domain. Cost: the point location of the first point,
   /// and the faces that the segments cross.
-  [[nodiscard]] bool is_clear(const Triangulation& triangulation, constraint::Cover& cover,
+  [[nodiscard]] bool is_clear(const Triangulation& triangulation, constraint::CoverFinder& cover_finder,
                               std::span<const Point> points);
 
   /// The answer of find_piece_state() about a piece of a polyline.
@@ -49,7 +49,7 @@ class PolylineWalk {
   /// Requires: the piece has at least two points. No operation has changed anything at its first and its last point,
   /// except at the ends of the polyline, and none has removed an item where the polyline turns.
   /// Cost: the cost of is_clear() for the piece.
-  [[nodiscard]] PieceState find_piece_state(const Triangulation& triangulation, constraint::Cover& cover,
+  [[nodiscard]] PieceState find_piece_state(const Triangulation& triangulation, constraint::CoverFinder& cover_finder,
                                             std::span<const Point> points, std::size_t first, std::size_t last);
 
  private:
@@ -71,7 +71,7 @@ class PolylineWalk {
   [[nodiscard]] bool ends_before(mesh::Vertex v) const;
 
   void use(const Triangulation& triangulation);
-  locate::Located start_at(constraint::Cover& cover, const Point& point);
+  locate::Located start_at(constraint::CoverFinder& cover_finder, const Point& point);
   void walk_to(std::span<const Point> points, std::size_t i);
   void collect_crossings_at(const Point& point);
   void walk_piece(const View& target);

@@ -45,9 +45,9 @@ void World::Impl::fit_disc(const Point& centre, double radius, detail::QueryScra
     scratch.near_walls.find_items(triangulation, centre, radius, slots);
     append_ids(triangulation.items(), slots, fit.items);
   }
-  scratch.cover.use(kept_abstraction());
+  scratch.cover_finder.use(kept_abstraction());
   const locate::Located located = triangulation.triangulation().locate(centre);
-  append_ids(triangulation.items(), scratch.cover.strictly_covering(triangulation, located), fit.items);
+  append_ids(triangulation.items(), scratch.cover_finder.strictly_covering(triangulation, located), fit.items);
   keep_one_of_each(fit.items);
   fit.fits = fit.items.empty();
 }
@@ -90,9 +90,9 @@ Result<void> World::widest_path(Point start, Point goal, QueryContext& context, 
 
 void World::Impl::widest_path(const Point& start, const Point& goal, detail::QueryScratch& scratch,
                               WidestPath& widest) const {
-  scratch.cover.use(kept_abstraction());
+  scratch.cover_finder.use(kept_abstraction());
   const auto is_inside_polygon = [&](const Point& end) {
-    return scratch.cover.is_strictly_inside(triangulation, triangulation.triangulation().locate(end));
+    return scratch.cover_finder.is_strictly_inside(triangulation, triangulation.triangulation().locate(end));
   };
   auto& gap = scratch.widest_gap;
   gap.clear();
@@ -127,9 +127,9 @@ Result<void> World::bridges(const Box& box, QueryContext& context, BridgeList& l
   if (!impl_->clearance) return Error{ErrorCode::no_bridges, "the query needs a world that keeps its bridges", {}, 0};
   const clearance::Clearance& clearance = *impl_->clearance;
   const constraint::ExactTriangulation& walls = clearance.walls(impl_->triangulation);
-  nav::KeptCover& cover = context.scratch_->cover;
-  cover.use(&walls == &impl_->triangulation ? impl_->kept_abstraction() : nullptr);
-  context.scratch_->bridge_lister.list(walls, clearance.bridges(), cover, box, list);
+  nav::ComponentCoverFinder& cover_finder = context.scratch_->cover_finder;
+  cover_finder.use(&walls == &impl_->triangulation ? impl_->kept_abstraction() : nullptr);
+  context.scratch_->bridge_lister.list(walls, clearance.bridges(), cover_finder, box, list);
   return {};
 }
 

@@ -59,32 +59,32 @@ void World::Impl::nearest_fit(const NearestFitQuery& query, detail::QueryScratch
 
 std::optional<Point> World::Impl::nearest_fit_of_disc(const NearestFitQuery& query,
                                                       detail::QueryScratch& scratch) const {
-  scratch.cover.use(kept_abstraction());
+  scratch.cover_finder.use(kept_abstraction());
   const clearance::NearestFit::Query of_disc{query.point, query.radius, query.limit};
   if (!query.goal) {
-    return scratch.nearest_fit.find(triangulation, scratch.cover, scratch.near_walls, of_disc, nullptr);
+    return scratch.nearest_fit.find(triangulation, scratch.cover_finder, scratch.near_walls, of_disc, nullptr);
   }
   const constraint::ExactTriangulation& walls = clearance->walls(triangulation);
   const auto cell = scratch.near_walls.find_cell(walls, clearance->bridges(), *query.goal);
   const clearance::NearestFit::Goal goal{walls, clearance->bridges(), *cell};
-  return scratch.nearest_fit.find(triangulation, scratch.cover, scratch.near_walls, of_disc, &goal);
+  return scratch.nearest_fit.find(triangulation, scratch.cover_finder, scratch.near_walls, of_disc, &goal);
 }
 
 std::optional<Point> World::Impl::nearest_free(const NearestFitQuery& query, detail::QueryScratch& scratch) const {
-  nav::KeptCover& cover = scratch.cover;
-  cover.use(kept_abstraction());
+  nav::ComponentCoverFinder& cover_finder = scratch.cover_finder;
+  cover_finder.use(kept_abstraction());
   path::FreePositions::Connection connection;
   if (query.goal) {
-    scratch.goal_faces = cover.open_faces(triangulation, triangulation.triangulation().locate(*query.goal));
+    scratch.goal_faces = cover_finder.open_faces(triangulation, triangulation.triangulation().locate(*query.goal));
     if (scratch.goal_faces.empty()) return std::nullopt;
     connection = {&abstraction->components(), &scratch.goal_faces};
   }
   const locate::Located location = triangulation.triangulation().locate(query.point);
-  for (const mesh::HalfEdge h : cover.open_faces(triangulation, location)) {
+  for (const mesh::HalfEdge h : cover_finder.open_faces(triangulation, location)) {
     if (connection.contains(h)) return query.point;
   }
   if (query.limit == 0.0) return std::nullopt;
-  return scratch.free_positions.nearest(triangulation, cover, query.point, location, query.limit, connection);
+  return scratch.free_positions.nearest(triangulation, cover_finder, query.point, location, query.limit, connection);
 }
 
 }  // namespace waywright

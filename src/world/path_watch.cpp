@@ -13,7 +13,7 @@
 #include "base/float_environment.hpp"
 #include "base/ieee.hpp"
 #include "constraint/slot_sets.hpp"
-#include "nav/kept_cover.hpp"
+#include "nav/component_cover_finder.hpp"
 #include "nav/point_agent.hpp"
 #include "path/pieces.hpp"
 #include "path/polyline_walk.hpp"
@@ -270,7 +270,7 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   bool has_walls = false;                   ///< whether `walls` is up to date
   constraint::SlotSet reached;
   std::vector<mesh::HalfEdge> faces;
-  nav::KeptCover cover;
+  nav::ComponentCoverFinder cover_finder;
   path::PolylineWalk walk;
 };
 
@@ -409,7 +409,7 @@ bool PathWatch::Impl::is_clear(std::uint32_t slot, const World& world, Boxes box
   using PieceState = path::PolylineWalk::PieceState;
   const constraint::ExactTriangulation& triangulation = world.impl_->triangulation;
   const std::span<const Point> points = watched[slot].points;
-  cover.use(world.impl_->kept_abstraction());
+  cover_finder.use(world.impl_->kept_abstraction());
   const auto is_touched = [&](std::size_t i) {
     const auto touches = [&](const ChangedBox& box) { return path::may_touch(points.subspan(i, 2), box.box); };
     return std::any_of(boxes.begin(), boxes.end(), touches);
@@ -419,12 +419,12 @@ bool PathWatch::Impl::is_clear(std::uint32_t slot, const World& world, Boxes box
     if (!is_touched(first)) continue;
     std::size_t last = first + 1;
     while (last + 1 < points.size() && is_touched(last)) ++last;
-    const PieceState state = walk.find_piece_state(triangulation, cover, points, first, last);
+    const PieceState state = walk.find_piece_state(triangulation, cover_finder, points, first, last);
     if (state == PieceState::blocked) return false;
     is_sure = state == PieceState::clear;
     first = last;  // the segment after the piece is not touched
   }
-  return is_sure || walk.is_clear(triangulation, cover, points);
+  return is_sure || walk.is_clear(triangulation, cover_finder, points);
 }
 
 // A removal blocks the path of a point agent only if the path turns at the rounded coordinates of a crossing that no

@@ -120,8 +120,8 @@ Result<bool> World::is_clear(std::span<const Point> points, QueryContext& contex
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (auto error = find_point_error(domain(), points[i], i, {"point", i})) return *std::move(error);
   }
-  context.scratch_->cover.use(impl_->kept_abstraction());
-  return context.scratch_->polyline_walk.is_clear(impl_->triangulation, context.scratch_->cover, points);
+  context.scratch_->cover_finder.use(impl_->kept_abstraction());
+  return context.scratch_->polyline_walk.is_clear(impl_->triangulation, context.scratch_->cover_finder, points);
 }
 
 Result<bool> World::is_clear(std::span<const Point> points) const {

@@ -43,9 +43,9 @@ Result<void> World::locate(Point point, QueryContext& context, Location& locatio
     location.vertices[i] = delaunay.geometry().rounded(number(vertices[i]));
   }
   location.polygons.clear();
-  nav::KeptCover& cover = context.scratch_->cover;
-  cover.use(impl.kept_abstraction());
-  for (const std::uint32_t item : cover.of_location(triangulation, located)) {
+  nav::ComponentCoverFinder& cover_finder = context.scratch_->cover_finder;
+  cover_finder.use(impl.kept_abstraction());
+  for (const std::uint32_t item : cover_finder.of_location(triangulation, located)) {
     location.polygons.push_back(triangulation.items().id(item));
   }
   std::sort(location.polygons.begin(), location.polygons.end());
@@ -63,8 +63,8 @@ Result<void> World::items_at(Point point, QueryContext& context, std::vector<Ite
   const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), point, 0, "the point")) return *std::move(error);
   detail::QueryScratch& scratch = *context.scratch_;
-  scratch.cover.use(impl_->kept_abstraction());
-  constraint::items_at(impl_->triangulation, scratch.cover, point, scratch.items, items);
+  scratch.cover_finder.use(impl_->kept_abstraction());
+  constraint::items_at(impl_->triangulation, scratch.cover_finder, point, scratch.items, items);
   return {};
 }
 
@@ -108,8 +108,8 @@ Result<void> World::items_in(const Box& box, QueryContext& context, std::vector<
   items.clear();
   if (!box.overlaps(domain())) return {};
   detail::QueryScratch& scratch = *context.scratch_;
-  scratch.cover.use(impl_->kept_abstraction());
-  constraint::items_in(impl_->triangulation, scratch.cover, box, scratch.items, items);
+  scratch.cover_finder.use(impl_->kept_abstraction());
+  constraint::items_in(impl_->triangulation, scratch.cover_finder, box, scratch.items, items);
   return {};
 }
 

@@ -15,7 +15,7 @@
 #include "constraint/canonical.hpp"
 #include "constraint/item_queries.hpp"
 #include "constraint/swept_disc.hpp"
-#include "nav/kept_cover.hpp"
+#include "nav/component_cover_finder.hpp"
 #include "path/disc_channel.hpp"
 #include "path/disc_ends.hpp"
 #include "path/disc_guide.hpp"
@@ -65,7 +65,7 @@ struct DiscSearch {
 };
 
 struct QueryScratch {
-  nav::KeptCover cover;
+  nav::ComponentCoverFinder cover_finder;
   constraint::ItemQueryScratch items;
   constraint::CanonicalOrder order;
   constraint::SweptDisc swept_disc;

@@ -75,10 +75,10 @@ bool is_disconnected(const std::vector<Areas>& before, const std::vector<Areas>&
 /// its abstraction.
 std::vector<std::vector<std::uint32_t>> World::Impl::areas_of(PointSpan points, detail::QueryScratch& scratch) const {
   std::vector<Areas> areas(points.size());
-  scratch.cover.use(kept_abstraction());
+  scratch.cover_finder.use(kept_abstraction());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const locate::Located location = triangulation.triangulation().locate(points[i]);
-    for (const mesh::HalfEdge h : scratch.cover.open_faces(triangulation, location)) {
+    for (const mesh::HalfEdge h : scratch.cover_finder.open_faces(triangulation, location)) {
       areas[i].push_back(abstraction->components().component_of(mesh::face(h)));
     }
     std::sort(areas[i].begin(), areas[i].end());

@@ -17,7 +17,7 @@ namespace {
 
 using constraint::ExactTriangulation;
 
-constexpr double kSize = 8;
+constexpr double kDomainSize = 8;
 
 class NewWalls : public ::testing::Test {
  protected:
@@ -42,8 +42,8 @@ class NewWalls : public ::testing::Test {
     std::vector<std::size_t> region_of(mesh_.topology().face_slots(), 0);
     std::size_t count = 0;
     std::vector<std::size_t> result;
-    for (double x = 0.3183; x < kSize; x += 0.5) {
-      for (double y = 0.4142; y < kSize; y += 0.5) {
+    for (double x = 0.3183; x < kDomainSize; x += 0.5) {
+      for (double y = 0.4142; y < kDomainSize; y += 0.5) {
         const mesh::Face f = mesh::face(mesh_.triangulation().locate({x, y}).h);
         if (region_of[number(f)] == 0) flood(f, ++count, region_of);
         result.push_back(region_of[number(f)]);
@@ -52,7 +52,7 @@ class NewWalls : public ::testing::Test {
     return result;
   }
 
-  ExactTriangulation mesh_{{{0, 0}, {kSize, kSize}}};
+  ExactTriangulation mesh_{{{0, 0}, {kDomainSize, kDomainSize}}};
   std::vector<ItemId> live_;
 
  private:
@@ -118,9 +118,11 @@ TEST_F(NewWalls, RandomWallsThatDivideAreNeverMissed) {
   std::size_t told_apart = 0;
   for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
     Random random(seed);
-    const auto coordinate = [&] { return static_cast<double>(random.below(static_cast<std::size_t>(kSize) + 1)); };
+    const auto coordinate = [&] {
+      return static_cast<double>(random.below(static_cast<std::size_t>(kDomainSize) + 1));
+    };
     const auto corner = [&] { return Point{coordinate(), coordinate()}; };
-    mesh_ = ExactTriangulation{{{0, 0}, {kSize, kSize}}};
+    mesh_ = ExactTriangulation{{{0, 0}, {kDomainSize, kDomainSize}}};
     live_.clear();
     for (int step = 0; step < 20; ++step) {
       const std::vector<std::size_t> before = regions();

@@ -39,13 +39,13 @@ std::vector<Query> read_scenario(const std::filesystem::path& file) {
   return queries;
 }
 
-struct MapCase {
+struct PathMapCase {
   const char* name;
   const char* map;
   std::size_t query_count;
 };
 
-void PrintTo(const MapCase& map, std::ostream* out) { *out << map.name; }
+void PrintTo(const PathMapCase& map, std::ostream* out) { *out << map.name; }
 
 /// The world of a map, its tiles and its queries.
 struct Loaded {
@@ -54,7 +54,7 @@ struct Loaded {
   std::vector<Query> queries;
 };
 
-Loaded load(const std::filesystem::path& folder, const MapCase& map) {
+Loaded load(const std::filesystem::path& folder, const PathMapCase& map) {
   const Scene scene = read_scene((folder / map.map).string()).value();
   Loaded loaded{World::create(scene.domain).value(), {}, {}};
   for (const Item& item : scene.items) loaded.world.insert(item.shape, item.id).value();
@@ -82,16 +82,16 @@ bool is_ambiguous(const std::vector<std::string>& tiles, Point p) {
   return here == is_free(p.x - 1, p.y - 1) && here != is_free(p.x - 1, p.y) && here != is_free(p.x, p.y - 1);
 }
 
-class MapPaths : public testing::TestWithParam<MapCase> {};
+class MapPaths : public testing::TestWithParam<PathMapCase> {};
 
 INSTANTIATE_TEST_SUITE_P(Maps, MapPaths,
-                         testing::Values(MapCase{"arena", "dao/arena.map", 160},
-                                         MapCase{"brc202d", "dao/brc202d.map", 2519},
-                                         MapCase{"AR0500SR", "bgmaps/AR0500SR.map", 200},
-                                         MapCase{"AcrosstheCape", "sc1/AcrosstheCape.map", 201},
-                                         MapCase{"Aurora", "sc1/Aurora.map", 2990},
-                                         MapCase{"maze512", "mazes/maze512-2-5.map", 200},
-                                         MapCase{"random512", "random/random512-20-0.map", 200}),
+                         testing::Values(PathMapCase{"arena", "dao/arena.map", 160},
+                                         PathMapCase{"brc202d", "dao/brc202d.map", 2519},
+                                         PathMapCase{"AR0500SR", "bgmaps/AR0500SR.map", 200},
+                                         PathMapCase{"AcrosstheCape", "sc1/AcrosstheCape.map", 201},
+                                         PathMapCase{"Aurora", "sc1/Aurora.map", 2990},
+                                         PathMapCase{"maze512", "mazes/maze512-2-5.map", 200},
+                                         PathMapCase{"random512", "random/random512-20-0.map", 200}),
                          [](const auto& map) { return std::string(map.param.name); });
 
 // Two independent solvers computed each length in the file, and it is the length of a shortest path.

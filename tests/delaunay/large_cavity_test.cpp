@@ -19,7 +19,7 @@ using Triangulation = delaunay::Triangulation<exact::Geometry>;
 using mesh::HalfEdge;
 using Corners = std::array<std::pair<double, double>, 3>;
 
-constexpr std::array<mesh::Label, 4> kSides = {1, 2, 3, 4};
+constexpr std::array<mesh::Label, 4> kCavitySides = {1, 2, 3, 4};
 
 Corners sorted(const Point& a, const Point& b, const Point& c) {
   Corners corners = {std::pair{a.x, a.y}, {b.x, b.y}, {c.x, c.y}};
@@ -28,7 +28,7 @@ Corners sorted(const Point& a, const Point& b, const Point& c) {
 }
 
 Triangulation triangulate(double size, std::span<const Point> points) {
-  Triangulation triangulation({{0, 0}, {size, size}}, kSides);
+  Triangulation triangulation({{0, 0}, {size, size}}, kCavitySides);
   for (const Point& p : points) static_cast<void>(triangulation.insert(p));
   return triangulation;
 }

@@ -18,7 +18,7 @@ using Triangulation = delaunay::Triangulation<exact::Geometry>;
 using mesh::HalfEdge;
 using mesh::Vertex;
 
-constexpr std::array<mesh::Label, 4> kSides = {1, 2, 3, 4};
+constexpr std::array<mesh::Label, 4> kDomainSides = {1, 2, 3, 4};
 
 /// Checks the Delaunay rule with rationals and over all vertices: no vertex is inside the circle of a face, and of the
 /// vertices on the circle the first in order is a corner of the face. Requires: only the sides of the box are fixed
@@ -49,7 +49,7 @@ testing::AssertionResult is_delaunay(const Triangulation& triangulation) {
 }
 
 Triangulation lattice(int size) {
-  return Triangulation({{0, 0}, {static_cast<double>(size), static_cast<double>(size)}}, kSides);
+  return Triangulation({{0, 0}, {static_cast<double>(size), static_cast<double>(size)}}, kDomainSides);
 }
 
 TEST(Triangulation, EmptyBoxIsCutFromItsFirstCorner) {
@@ -135,7 +135,7 @@ std::map<HalfEdge, std::array<Vertex, 3>> faces_beyond(const Triangulation& tria
 // cavity must not change, though an edge on the cavity's boundary may fail the Delaunay test for a time.
 TEST(Triangulation, ForcedEdgeLeavesEveryOtherEdgeLegal) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    Triangulation triangulation({{-10, -200}, {1010, 200}}, kSides);
+    Triangulation triangulation({{-10, -200}, {1010, 200}}, kDomainSides);
     Random random(seed);
     const auto insert = [&](double x, double y) { return triangulation.insert({x, y}).vertex; };
     const Vertex u = insert(0, 0);
@@ -168,7 +168,7 @@ TEST(Triangulation, ForcedEdgeLeavesEveryOtherEdgeLegal) {
 // Vertex `near` lies close to the forced edge. The two faces that lie beyond the cavity, to the left and to the right
 // of `near`, share the edge from `near` to `behind`: that edge dangles.
 TEST(Triangulation, ForcedEdgePassesDanglingEdges) {
-  Triangulation triangulation({{-10, -60}, {30, 60}}, kSides);
+  Triangulation triangulation({{-10, -60}, {30, 60}}, kDomainSides);
   const auto insert = [&](double x, double y) { return triangulation.insert({x, y}).vertex; };
   const Vertex u = insert(0, 0);
   const Vertex w = insert(20, 0);

@@ -15,12 +15,12 @@ namespace {
 
 using formats::parse_wavefront_obj;
 
-std::vector<Item> items_of(const std::string& text) { return parse_wavefront_obj(text, "file").value().items; }
+std::vector<Item> items_of_obj(const std::string& text) { return parse_wavefront_obj(text, "file").value().items; }
 
 const std::string kVertices = "v 0 0\nv 4 0\nv 4 4\nv 0 4\n";
 
 TEST(WavefrontObj, EachElementBecomesItsItems) {
-  EXPECT_EQ(items_of(kVertices + "p 1 3\nl 1 2\nl 1 2 3 4\nf 1 2 3 4\n"),
+  EXPECT_EQ(items_of_obj(kVertices + "p 1 3\nl 1 2\nl 1 2 3 4\nf 1 2 3 4\n"),
             (std::vector<Item>{{1, Shape::point({0, 0})},
                                {2, Shape::point({4, 4})},
                                {3, Shape::segment({0, 0}, {4, 0})},
@@ -31,9 +31,9 @@ TEST(WavefrontObj, EachElementBecomesItsItems) {
 TEST(WavefrontObj, IndicesMayCountFromTheEndAndNameTexturesAndNormals) {
   const std::vector<Item> expected{{1, Shape::polygon({{0, 0}, {4, 0}, {4, 4}})}};
   for (const std::string face : {"f -4 -3 -2", "f 1/1 2/2 3/1", "f 1//1 2//2 3//3", "f 1/1/1 2/2/2 -2/3/3"}) {
-    EXPECT_EQ(items_of(kVertices + face), expected) << face;
+    EXPECT_EQ(items_of_obj(kVertices + face), expected) << face;
   }
-  EXPECT_EQ(items_of("v 1 1\nv 2 2\nl -2 -1\nv 3 3\nv 5 5\nl -2 -1\n"),
+  EXPECT_EQ(items_of_obj("v 1 1\nv 2 2\nl -2 -1\nv 3 3\nv 5 5\nl -2 -1\n"),
             (std::vector<Item>{{1, Shape::segment({1, 1}, {2, 2})}, {2, Shape::segment({3, 3}, {5, 5})}}));
 }
 
@@ -41,12 +41,12 @@ TEST(WavefrontObj, OtherStatementsAndCommentsAreSkipped) {
   const std::string text =
       "# a map\r\nmtllib a.mtl\r\no house\r\n\r\nv 0 0 0.5 1\r\nv 4 0 0.5 0.1 0.2 0.3 # red\r\nvt 0 0\r\nvn 0 0 1\r\n"
       "v 4 4 \\\r\n 0.5\r\ng a b\r\ns off\r\nusemtl stone\r\nf 1 2 \\\r\n3\r\n";
-  EXPECT_EQ(items_of(text), (std::vector<Item>{{1, Shape::polygon({{0, 0}, {4, 0}, {4, 4}})}}));
+  EXPECT_EQ(items_of_obj(text), (std::vector<Item>{{1, Shape::polygon({{0, 0}, {4, 0}, {4, 4}})}}));
 }
 
 TEST(WavefrontObj, NumbersAreReadAsTheNearestDouble) {
   // The library tinyobjloader reads such numbers one unit in the last place off.
-  EXPECT_EQ(items_of("v 133.76984470226458 879.37850187616539\np 1")[0].shape,
+  EXPECT_EQ(items_of_obj("v 133.76984470226458 879.37850187616539\np 1")[0].shape,
             Shape::point({133.76984470226458, 879.37850187616539}));
 }
 

@@ -21,31 +21,31 @@ namespace {
 
 using formats::parse_wkt;
 
-std::vector<Item> items_of(const std::string& text) { return parse_wkt(text, "file").value().items; }
+std::vector<Item> items_of_wkt(const std::string& text) { return parse_wkt(text, "file").value().items; }
 
 TEST(Wkt, EachGeometryBecomesItsItems) {
   const Shape with_hole = Shape::polygon({{{0, 0}, {4, 0}, {4, 4}}, {{2, 1}, {3, 1}, {3, 2}}});
   const std::string rings = "((0 0, 4 0, 4 4, 0 0), (2 1, 3 1, 3 2, 2 1))";
   const Shape chain = Shape::polyline(std::vector<Point>{{1, 2}, {3, 4}, {5, 0}});
-  EXPECT_EQ(items_of("POINT (3 -4.5)"), (std::vector<Item>{{1, Shape::point({3, -4.5})}}));
-  EXPECT_EQ(items_of("LINESTRING(1 2, 3 4)"), (std::vector<Item>{{1, Shape::segment({1, 2}, {3, 4})}}));
-  EXPECT_EQ(items_of("linestring(1 2,3 4,5 0)"), (std::vector<Item>{{1, chain}}));
-  EXPECT_EQ(items_of("POLYGON" + rings), (std::vector<Item>{{1, with_hole}}));
-  EXPECT_EQ(items_of("MULTIPOINT(1 2, (3 4), EMPTY)"),
+  EXPECT_EQ(items_of_wkt("POINT (3 -4.5)"), (std::vector<Item>{{1, Shape::point({3, -4.5})}}));
+  EXPECT_EQ(items_of_wkt("LINESTRING(1 2, 3 4)"), (std::vector<Item>{{1, Shape::segment({1, 2}, {3, 4})}}));
+  EXPECT_EQ(items_of_wkt("linestring(1 2,3 4,5 0)"), (std::vector<Item>{{1, chain}}));
+  EXPECT_EQ(items_of_wkt("POLYGON" + rings), (std::vector<Item>{{1, with_hole}}));
+  EXPECT_EQ(items_of_wkt("MULTIPOINT(1 2, (3 4), EMPTY)"),
             (std::vector<Item>{{1, Shape::point({1, 2})}, {2, Shape::point({3, 4})}}));
-  EXPECT_EQ(items_of("MultiLineString((1 2, 3 4, 5 0), EMPTY, (1 2, 3 4))"),
+  EXPECT_EQ(items_of_wkt("MultiLineString((1 2, 3 4, 5 0), EMPTY, (1 2, 3 4))"),
             (std::vector<Item>{{1, chain}, {2, Shape::segment({1, 2}, {3, 4})}}));
-  EXPECT_EQ(items_of("MULTIPOLYGON(" + rings + ", " + rings + ")"),
+  EXPECT_EQ(items_of_wkt("MULTIPOLYGON(" + rings + ", " + rings + ")"),
             (std::vector<Item>{{1, with_hole}, {2, with_hole}}));
-  EXPECT_EQ(items_of("GEOMETRYCOLLECTION(POINT(1 2), GEOMETRYCOLLECTION(POLYGON" + rings + "), POINT EMPTY)"),
+  EXPECT_EQ(items_of_wkt("GEOMETRYCOLLECTION(POINT(1 2), GEOMETRYCOLLECTION(POLYGON" + rings + "), POINT EMPTY)"),
             (std::vector<Item>{{1, Shape::point({1, 2})}, {2, with_hole}}));
 }
 
 TEST(Wkt, GeometriesFollowEachOtherOnLinesOrBehindSemicolons) {
   const std::vector<Item> expected{{1, Shape::point({1, 2})}, {2, Shape::point({3, 4})}, {3, Shape::point({5, 6})}};
-  EXPECT_EQ(items_of("\xef\xbb\xbfPOINT\n(1\r\n2)\r\n\nPOINT(3 4);POINT(5 6) ;\n"), expected);
-  EXPECT_EQ(items_of("SRID=4326;POINT(1 2)\nSRID=4326;POINT(3 4)\nsrid = 4326 ; POINT(5 6)\n"), expected);
-  EXPECT_EQ(items_of("POLYGON EMPTY POINT(1 2) GEOMETRYCOLLECTION EMPTY POINT(3 4)\nPOINT(5 6)"), expected);
+  EXPECT_EQ(items_of_wkt("\xef\xbb\xbfPOINT\n(1\r\n2)\r\n\nPOINT(3 4);POINT(5 6) ;\n"), expected);
+  EXPECT_EQ(items_of_wkt("SRID=4326;POINT(1 2)\nSRID=4326;POINT(3 4)\nsrid = 4326 ; POINT(5 6)\n"), expected);
+  EXPECT_EQ(items_of_wkt("POLYGON EMPTY POINT(1 2) GEOMETRYCOLLECTION EMPTY POINT(3 4)\nPOINT(5 6)"), expected);
 }
 
 TEST(Wkt, TheDomainIsTheOneOfAPolyFile) {
@@ -159,7 +159,7 @@ TEST(Wkt, ReadsTheSameCoordinatesAsBoostGeometry) {
     const std::string line_text = "LINESTRING" + random.positions(3 + random.below(5), false);
     bg::model::linestring<BoostPoint> line;
     bg::read_wkt(line_text, line);
-    EXPECT_EQ(items_of(line_text)[0].shape, Shape::polyline(points_of(line, 0))) << line_text;
+    EXPECT_EQ(items_of_wkt(line_text)[0].shape, Shape::polyline(points_of(line, 0))) << line_text;
 
     std::string polygon_text = "POLYGON (" + random.positions(3 + random.below(5), true);
     const std::size_t holes = random.below(3);
@@ -169,7 +169,7 @@ TEST(Wkt, ReadsTheSameCoordinatesAsBoostGeometry) {
     bg::read_wkt(polygon_text, polygon);
     Rings rings{points_of(polygon.outer(), 1)};
     for (const auto& hole : polygon.inners()) rings.push_back(points_of(hole, 1));
-    EXPECT_EQ(items_of(polygon_text)[0].shape, Shape::polygon(rings)) << polygon_text;
+    EXPECT_EQ(items_of_wkt(polygon_text)[0].shape, Shape::polygon(rings)) << polygon_text;
   }
 }
 

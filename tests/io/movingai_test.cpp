@@ -23,7 +23,7 @@ namespace {
 
 using Rows = std::vector<std::string>;
 using Ring = std::vector<Point>;
-using Rings = std::vector<Ring>;
+using TileRings = std::vector<Ring>;
 
 std::string map_text(const Rows& rows) {
   std::string text = "type octile\nheight " + std::to_string(rows.size()) + "\nwidth " +
@@ -32,28 +32,28 @@ std::string map_text(const Rows& rows) {
   return text;
 }
 
-Scene parsed(const Rows& rows) {
+Scene parsed_map(const Rows& rows) {
   const Result<Scene> scene = parse_movingai_map(map_text(rows), "test.map");
   EXPECT_TRUE(scene.ok()) << scene.error().message();
   return scene.ok() ? *scene : Scene{};
 }
 
 /// Returns the rings of each polygon.
-std::vector<Rings> rings_of(const Rows& rows) {
-  std::vector<Rings> all;
-  for (const Item& item : parsed(rows).items) all.push_back(item.shape.rings);
+std::vector<TileRings> rings_of(const Rows& rows) {
+  std::vector<TileRings> all;
+  for (const Item& item : parsed_map(rows).items) all.push_back(item.shape.rings);
   return all;
 }
 
 TEST(ParseMovingaiMap, SetsTheDomainAndTheAxis) {
-  const Scene scene = parsed({".....", "....."});
+  const Scene scene = parsed_map({".....", "....."});
   EXPECT_EQ(scene.domain, (Box{{0, 0}, {5, 2}}));
   EXPECT_TRUE(scene.y_down);
   EXPECT_TRUE(scene.items.empty());
 }
 
 TEST(ParseMovingaiMap, DistinguishesFreeCellsFromBlockedOnes) {
-  const Scene scene = parsed({".GS.@.O.T.W"});
+  const Scene scene = parsed_map({".GS.@.O.T.W"});
   ASSERT_EQ(scene.items.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {
     const double x = 4.0 + 2.0 * static_cast<double>(i);
@@ -62,7 +62,7 @@ TEST(ParseMovingaiMap, DistinguishesFreeCellsFromBlockedOnes) {
 }
 
 TEST(ParseMovingaiMap, TakesCarriageReturnsBlankEndsAndNoLastLineEnd) {
-  const Scene expected = parsed({"@."});
+  const Scene expected = parsed_map({"@."});
   for (const std::string_view text :
        {"type octile\r\nheight 1\r\nwidth 2\r\nmap\r\n@.\r\n", "type octile\nheight 1\nwidth 2\nmap\n@.",
         "type  octile \nheight\t1\nwidth 2\nmap\n@.\n\n \n"}) {
@@ -76,7 +76,7 @@ TEST(ParseMovingaiMap, JoinsBlockedCellsOfAllLettersIntoOnePolygonOfTrueCorners)
   EXPECT_EQ(rings_of({"@T.",  //
                       ".O.",  //
                       ".WW"}),
-            (std::vector<Rings>{{{{0, 0}, {2, 0}, {2, 2}, {3, 2}, {3, 3}, {1, 3}, {1, 1}, {0, 1}}}}));
+            (std::vector<TileRings>{{{{0, 0}, {2, 0}, {2, 2}, {3, 2}, {3, 3}, {1, 3}, {1, 1}, {0, 1}}}}));
 }
 
 TEST(ParseMovingaiMap, TracesHolesAndWhatLiesInThem) {
@@ -85,30 +85,31 @@ TEST(ParseMovingaiMap, TracesHolesAndWhatLiesInThem) {
                       "@.@.@",  //
                       "@...@",  //
                       "@@@@@"}),
-            (std::vector<Rings>{{{{0, 0}, {5, 0}, {5, 5}, {0, 5}}, {{1, 4}, {4, 4}, {4, 1}, {1, 1}}},
-                                {{{2, 2}, {3, 2}, {3, 3}, {2, 3}}}}));
+            (std::vector<TileRings>{{{{0, 0}, {5, 0}, {5, 5}, {0, 5}}, {{1, 4}, {4, 4}, {4, 1}, {1, 1}}},
+                                    {{{2, 2}, {3, 2}, {3, 3}, {2, 3}}}}));
 }
 
 TEST(ParseMovingaiMap, KeepsGroupsThatTouchDiagonallyApart) {
   EXPECT_EQ(rings_of({"@.",  //
                       ".@"}),
-            (std::vector<Rings>{{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, {{{1, 1}, {2, 1}, {2, 2}, {1, 2}}}}));
+            (std::vector<TileRings>{{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, {{{1, 1}, {2, 1}, {2, 2}, {1, 2}}}}));
   EXPECT_EQ(rings_of({".@",  //
                       "@."}),
-            (std::vector<Rings>{{{{1, 0}, {2, 0}, {2, 1}, {1, 1}}}, {{{0, 1}, {1, 1}, {1, 2}, {0, 2}}}}));
+            (std::vector<TileRings>{{{{1, 0}, {2, 0}, {2, 1}, {1, 1}}}, {{{0, 1}, {1, 1}, {1, 2}, {0, 2}}}}));
 }
 
 TEST(ParseMovingaiMap, PartsTheRingsWhereAGroupTouchesItself) {
-  EXPECT_EQ(rings_of({"@@@",  //
-                      "@.@",  //
-                      "@@."}),
-            (std::vector<Rings>{{{{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 3}, {0, 3}}, {{1, 2}, {2, 2}, {2, 1}, {1, 1}}}}));
+  EXPECT_EQ(
+      rings_of({"@@@",  //
+                "@.@",  //
+                "@@."}),
+      (std::vector<TileRings>{{{{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 3}, {0, 3}}, {{1, 2}, {2, 2}, {2, 1}, {1, 1}}}}));
   EXPECT_EQ(
       rings_of({"@@@@",  //
                 "@.@@",  //
                 "@@.@",  //
                 "@@@@"}),
-      (std::vector<Rings>{
+      (std::vector<TileRings>{
           {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 2}, {2, 2}, {2, 1}, {1, 1}}, {{2, 3}, {3, 3}, {3, 2}, {2, 2}}}}));
 }
 
@@ -116,7 +117,7 @@ bool is_blocked(char tile) { return std::string_view(".GS").find(tile) == std::s
 
 /// Returns which tiles' centres lie inside an odd number of turns of the rings. Each vertical side changes the parity
 /// of all centres to its right.
-std::vector<std::vector<bool>> covered_cells(const Rings& rings, std::size_t height, std::size_t width) {
+std::vector<std::vector<bool>> covered_cells(const TileRings& rings, std::size_t height, std::size_t width) {
   std::vector<std::vector<bool>> covered(height, std::vector<bool>(width + 1));
   for (const Ring& ring : rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -175,7 +176,7 @@ bool is_simple(const Ring& ring) {
 
 /// Returns what is wrong with all polygons of a map together, or an empty text if nothing is.
 std::string fault_of(const Scene& scene, const Rows& rows) {
-  Rings all;
+  TileRings all;
   for (std::size_t i = 0; i < scene.items.size(); ++i) {
     const Item& item = scene.items[i];
     if (item.id.value != i + 1) return "ids do not count from 1";

@@ -17,7 +17,7 @@
 namespace waywright {
 namespace {
 
-Script parsed(const std::string& lines) {
+Script parsed_history(const std::string& lines) {
   const Result<Script> script = parse_script("waywright 1\ndomain 0 0 10 10\n" + lines, "test");
   EXPECT_TRUE(script.ok()) << (script.ok() ? "" : script.error().message());
   return script.ok() ? *script : Script{};
@@ -25,12 +25,12 @@ Script parsed(const std::string& lines) {
 
 std::vector<std::uint64_t> ids_after(const std::string& lines) {
   std::vector<std::uint64_t> ids;
-  for (const Item& item : scene_of(parsed(lines)).items) ids.push_back(item.id.value);
+  for (const Item& item : scene_of(parsed_history(lines)).items) ids.push_back(item.id.value);
   return ids;
 }
 
 TEST(ScriptHistory, IsReadWithTheTicksOfTheWorld) {
-  const Script script = parsed("mark 1\nmark 2\nrewind 1\nmark 2\nmark 3\nrewind 3\nrewind 2\nmark 3\n");
+  const Script script = parsed_history("mark 1\nmark 2\nrewind 1\nmark 2\nmark 3\nrewind 3\nrewind 2\nmark 3\n");
   ASSERT_EQ(script.lines.size(), 8U);
   EXPECT_EQ(script.lines[0].kind, ScriptLineKind::mark);
   EXPECT_EQ(to_string(script.lines[0]), "mark");
@@ -48,7 +48,7 @@ TEST(ScriptHistory, DecidesWhichItemsAreLeft) {
 }
 
 TEST(ScriptHistory, BringsBackShapes) {
-  const Scene scene = scene_of(parsed("point 1 1 1\nmark 1\nreplace segment 1 3 3 4 4\nrewind 1\n"));
+  const Scene scene = scene_of(parsed_history("point 1 1 1\nmark 1\nreplace segment 1 3 3 4 4\nrewind 1\n"));
   EXPECT_EQ(scene.items, (std::vector<Item>{{1, Shape::point({1, 1})}}));
 }
 
@@ -100,7 +100,7 @@ TEST(ScriptHistory, OfRandomScriptsAgreesWithCopiesOfAllItems) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     const RandomScript random = random_script(seed);
     std::map<ItemId, Shape> left;
-    for (const Item& item : scene_of(parsed(random.text)).items) left.emplace(item.id, item.shape);
+    for (const Item& item : scene_of(parsed_history(random.text)).items) left.emplace(item.id, item.shape);
     ASSERT_EQ(left, random.items) << "seed " << seed << "\n" << random.text;
   }
 }
@@ -114,16 +114,16 @@ std::string hash_of_point(std::uint64_t id, Point at) {
 TEST(Replay, GoesBack) {
   const std::string one = hash_of_point(1, {1, 1});
   const std::string log = "point 1 1 1\nmark 1\nremove 1\npoint 2 2 2\nmark 2\nrewind 1\ntick 1 " + one + "\n";
-  EXPECT_TRUE(replay(parsed(log)).value().is_same);
+  EXPECT_TRUE(replay(parsed_history(log)).value().is_same);
   // Without the rewind, the hash differs.
   const std::string forward = "point 1 1 1\nmark 1\nremove 1\npoint 2 2 2\nmark 2\ntick 1 " + one + "\n";
-  EXPECT_FALSE(replay(parsed(forward)).value().is_same);
+  EXPECT_FALSE(replay(parsed_history(forward)).value().is_same);
 }
 
 TEST(FindDifference, ComparesMarksAndRewinds) {
   const std::string start = "mark 1\npoint 1 1 1\nmark 2\n";
   const auto compare = [&](const std::string& a, const std::string& b) {
-    return find_difference(parsed(start + a), parsed(start + b));
+    return find_difference(parsed_history(start + a), parsed_history(start + b));
   };
   EXPECT_FALSE(compare("rewind 1\n", "rewind 1\n").has_value());
   for (const std::string other : {"rewind 2\n", "", "mark 3\n", "remove 1\n"}) {

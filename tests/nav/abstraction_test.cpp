@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "constraint/cover.hpp"
+#include "constraint/cover_finder.hpp"
 #include "support/live_items.hpp"
 #include "support/random_changes.hpp"
 #include "support/random_scenes.hpp"
@@ -130,9 +130,9 @@ class Expected {
   }
 
   [[nodiscard]] Fault cover_fault(const nav::Components& components) const {
-    constraint::Cover cover;
+    constraint::CoverFinder cover_finder;
     for (const std::uint32_t f : faces_) {
-      std::vector<std::uint32_t> expected = cover.of_face(triangulation_, mesh::first(Face{f}));
+      std::vector<std::uint32_t> expected = cover_finder.of_face(triangulation_, mesh::first(Face{f}));
       std::vector<std::uint32_t> kept;
       components.for_each_cover(Face{f}, [&](std::uint32_t item) { kept.push_back(item); });
       std::sort(expected.begin(), expected.end());

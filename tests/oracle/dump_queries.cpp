@@ -49,7 +49,7 @@ bool is_free(const std::vector<Solid>& solids, const Arrangement& arrangement, c
   const auto& v = arrangement.vertices;
   const ExactPosition inner = Grid::midpoint(v[t[0]], Grid::midpoint(v[t[1]], v[t[2]]));
   return std::none_of(solids.begin(), solids.end(),
-                      [&](const Solid& solid) { return cover_of(solid, inner).inside_after; });
+                      [&](const Solid& solid) { return relation_to_rings(solid, inner).inside_after; });
 }
 
 /// Returns the triangles across the edges of each triangle, -1 across walls.

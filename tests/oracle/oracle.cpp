@@ -30,8 +30,8 @@ std::vector<std::uint64_t> Oracle::covering_polygons(OraclePoint point) const {
   const ExactPosition position = impl_->arrangement.grid.point(point);
   std::vector<std::uint64_t> ids;
   for (const Solid& solid : impl_->solids) {
-    const Cover cover = cover_of(solid, position);
-    if (cover.on_boundary || cover.inside_after) ids.push_back(solid.id);
+    const RingRelation relation = relation_to_rings(solid, position);
+    if (relation.on_boundary || relation.inside_after) ids.push_back(solid.id);
   }
   std::sort(ids.begin(), ids.end());
   return ids;
@@ -40,8 +40,8 @@ std::vector<std::uint64_t> Oracle::covering_polygons(OraclePoint point) const {
 bool Oracle::strictly_inside(OraclePoint point) const {
   const ExactPosition position = impl_->arrangement.grid.point(point);
   return std::any_of(impl_->solids.begin(), impl_->solids.end(), [&](const Solid& solid) {
-    const Cover cover = cover_of(solid, position);
-    return !cover.on_boundary && cover.inside_after;
+    const RingRelation relation = relation_to_rings(solid, position);
+    return !relation.on_boundary && relation.inside_after;
   });
 }
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "oracle/arrangement.hpp"
-#include "oracle/cover.hpp"
 #include "oracle/oracle.hpp"
+#include "oracle/solids.hpp"
 
 namespace waywright::oracle {
 

@@ -129,12 +129,12 @@ class PathCheck {
     const bool vertical = compare_x(*state.at, next) == 0;
     const ExactPosition middle = Grid::midpoint(*state.at, next);
     // "After" is above or, if the piece is vertical, to the right.
-    bool free_after = cover_of(domain_, middle, vertical).inside_after;
-    bool free_before = cover_of(domain_, middle, vertical).inside_before;
+    bool free_after = relation_to_rings(domain_, middle, vertical).inside_after;
+    bool free_before = relation_to_rings(domain_, middle, vertical).inside_before;
     for (const Solid& solid : solids_) {
-      const Cover cover = cover_of(solid, middle, vertical);
-      free_after = free_after && !cover.inside_after;
-      free_before = free_before && !cover.inside_before;
+      const RingRelation relation = relation_to_rings(solid, middle, vertical);
+      free_after = free_after && !relation.inside_after;
+      free_before = free_before && !relation.inside_before;
     }
     const bool after_is_left = vertical ? compare_y(*state.at, next) > 0 : compare_x(*state.at, next) < 0;
     const LeftRight free{after_is_left ? free_after : free_before, after_is_left ? free_before : free_after};

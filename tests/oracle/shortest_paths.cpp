@@ -65,8 +65,8 @@ struct ShortestPaths::Impl {
 
   [[nodiscard]] bool is_blocked(std::uint32_t vertex) const {
     return std::any_of(oracle.solids.begin(), oracle.solids.end(), [&](const Solid& solid) {
-      const Cover cover = cover_of(solid, vertices[vertex]);
-      return !cover.on_boundary && cover.inside_after;
+      const RingRelation relation = relation_to_rings(solid, vertices[vertex]);
+      return !relation.on_boundary && relation.inside_after;
     });
   }
 
@@ -74,13 +74,13 @@ struct ShortestPaths::Impl {
   [[nodiscard]] std::pair<bool, bool> is_free_left_and_right(std::uint32_t from, std::uint32_t to) const {
     const bool vertical = compare_x(vertices[from], vertices[to]) == 0;
     const ExactPosition middle = Grid::midpoint(vertices[from], vertices[to]);
-    const Cover within = cover_of(oracle.domain, middle, vertical);
+    const RingRelation within = relation_to_rings(oracle.domain, middle, vertical);
     bool after = within.inside_after;
     bool before = within.inside_before;
     for (const Solid& solid : oracle.solids) {
-      const Cover cover = cover_of(solid, middle, vertical);
-      after = after && !cover.inside_after;
-      before = before && !cover.inside_before;
+      const RingRelation relation = relation_to_rings(solid, middle, vertical);
+      after = after && !relation.inside_after;
+      before = before && !relation.inside_before;
     }
     // Seen from the smaller end to the larger, "after" is to the left of a piece, but to the right of a vertical one.
     return vertical ? std::pair{before, after} : std::pair{after, before};

@@ -21,7 +21,7 @@ namespace {
 
 using disc::NamedScene;
 
-constexpr std::size_t kAllExpansions = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
 /// Returns the scene as an input of the oracle for shortest paths. It also contains a wall for each bridge between two
 /// ends of walls that is too narrow for the disc.
@@ -95,14 +95,14 @@ void check_distances(const NamedScene& scene, const disc::Connectivity& connecti
   path::DiscGuide guide;
   std::size_t expansions = 0;
   guide.begin(disc_map, ends, start, goal);
-  ASSERT_TRUE(guide.step(kAllExpansions, expansions));
+  ASSERT_TRUE(guide.step(kNoLimit, expansions));
   const oracle::ShortestPath whole = to_goal(start);
   ASSERT_EQ(guide.is_found(), whole.status == oracle::OracleStatus::found);
   if (!guide.is_found()) return;
   ASSERT_NEAR(guide.length(), whole.length, 1e-12 * whole.length);
   const double length = 1.25 * whole.length;
   guide.continue_to(length);
-  ASSERT_TRUE(guide.step(kAllExpansions, expansions));
+  ASSERT_TRUE(guide.step(kNoLimit, expansions));
 
   for (const Touch& touch : touches) {
     SCOPED_TRACE(to_string(touch.position) + " at " + to_string(touch.vertex));

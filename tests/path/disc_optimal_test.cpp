@@ -110,7 +110,7 @@ void check_query(const disc::Walls& walls, const disc::Connectivity& oracle, Map
   ASSERT_NEAR(map.length(), *shortest, 1e-12 * *shortest);
 }
 
-void check_scene(const NamedScene& scene) {
+void check_shortest_paths(const NamedScene& scene) {
   const disc::Walls walls = walls_of(scene);
   const disc::Connectivity oracle(walls);
   Map map(scene);
@@ -127,7 +127,7 @@ void check_scene(const NamedScene& scene) {
 TEST(DiscPaths, AreRightInTrapScenes) {
   for (std::uint64_t seed = 0; seed < (case_count() + 99) / 100; ++seed) {
     for (const NamedScene& scene : disc::trap_scenes(seed)) {
-      check_scene(scene);
+      check_shortest_paths(scene);
       if (testing::Test::HasFatalFailure()) return;
     }
   }
@@ -147,17 +147,17 @@ NamedScene scene_of(std::string name, const Box& domain, std::vector<std::pair<P
 
 // The first version of the search went through a wall here, near a crossing of two walls.
 TEST(DiscPaths, StayOnTheirSideOfCrossingWalls) {
-  check_scene(scene_of("crossing walls", {{0, 0}, {24, 24}},
-                       {{{23.364095384880784, 18.595683064559125}, {19.893501403624811, 18.543530214294798}},
-                        {{19.893501403624811, 18.543530214294798}, {20.45262031884991, 15.652975500327662}},
-                        {{24, 20.521450551983762}, {22.295687987629915, 17.267262284250336}},
-                        {{12.992768383969551, 14.946666668709005}, {15.38078423417452, 16.89266021612616}},
-                        {{11.078820286391913, 7.472901170299739}, {10.135584432871168, 9.8140223731626648}},
-                        {{17.04957365244627, 17.659092396497726}, {19.851163239777087, 18.053372417986392}},
-                        {{19.851163239777087, 18.053372417986392}, {16.730675502419473, 14.198329523205757}},
-                        {{17.736673798992555, 15.939688321754407}, {16.088818196489733, 13.379256350800464}}},
-                       {22.033783312363084, 22.502242545211629}, {20.244340459044906, 11.377832586091245},
-                       0.16982599369468487));
+  check_shortest_paths(scene_of("crossing walls", {{0, 0}, {24, 24}},
+                                {{{23.364095384880784, 18.595683064559125}, {19.893501403624811, 18.543530214294798}},
+                                 {{19.893501403624811, 18.543530214294798}, {20.45262031884991, 15.652975500327662}},
+                                 {{24, 20.521450551983762}, {22.295687987629915, 17.267262284250336}},
+                                 {{12.992768383969551, 14.946666668709005}, {15.38078423417452, 16.89266021612616}},
+                                 {{11.078820286391913, 7.472901170299739}, {10.135584432871168, 9.8140223731626648}},
+                                 {{17.04957365244627, 17.659092396497726}, {19.851163239777087, 18.053372417986392}},
+                                 {{19.851163239777087, 18.053372417986392}, {16.730675502419473, 14.198329523205757}},
+                                 {{17.736673798992555, 15.939688321754407}, {16.088818196489733, 13.379256350800464}}},
+                                {22.033783312363084, 22.502242545211629}, {20.244340459044906, 11.377832586091245},
+                                0.16982599369468487));
 }
 
 // In the direction from the second point to the first, the path arrives at the vertex (0.6, 1.2) where an edge of the
@@ -178,7 +178,7 @@ TEST(DiscPaths, TurnPastAnEdgeTowardsThePositionOfArrival) {
                               {0.27909669721060121, 1.3962378787079184}, {1.6021823932245791, 0.76251549044486633},
                               0.025000000000000001);
   scene.queries.emplace_back(scene.queries[0].second, scene.queries[0].first);
-  check_scene(scene);
+  check_shortest_paths(scene);
 }
 
 // Here the search once left out the turn around the end of a wall, because no path seemed to continue behind it.
@@ -186,35 +186,37 @@ TEST(DiscPaths, TurnAtTheEndOfAWallBesideAClosedGap) {
   const Point start{8.3591736373782624, 1.5392304063134361};
   const Point goal{1.5491898353175202, 9.3626277121911698};
   for (const double radius : {0.47609749713669924, 0.5}) {
-    check_scene(scene_of("lattice", {{0, 0}, {12, 12}}, {{{5, 7}, {6, 5}}, {{3, 7}, {4, 7}}}, start, goal, radius));
+    check_shortest_paths(
+        scene_of("lattice", {{0, 0}, {12, 12}}, {{{5, 7}, {6, 5}}, {{3, 7}, {4, 7}}}, start, goal, radius));
   }
-  check_scene(scene_of("tiles", {{0, 0}, {24, 24}},
-                       {{{12, 13}, {13, 13}},
-                        {{9, 8}, {9, 9}},
-                        {{8, 8}, {9, 8}},
-                        {{8, 10}, {8, 11}},
-                        {{9, 9}, {9, 10}},
-                        {{8, 10}, {9, 10}},
-                        {{6, 14}, {7, 14}},
-                        {{8, 11}, {8, 12}},
-                        {{8, 12}, {8, 13}},
-                        {{8, 13}, {8, 14}},
-                        {{7, 14}, {8, 14}},
-                        {{10, 8}, {11, 8}}},
-                       {20.5, 21.5}, {2.5, 6.5}, 0.5));
+  check_shortest_paths(scene_of("tiles", {{0, 0}, {24, 24}},
+                                {{{12, 13}, {13, 13}},
+                                 {{9, 8}, {9, 9}},
+                                 {{8, 8}, {9, 8}},
+                                 {{8, 10}, {8, 11}},
+                                 {{9, 9}, {9, 10}},
+                                 {{8, 10}, {9, 10}},
+                                 {{6, 14}, {7, 14}},
+                                 {{8, 11}, {8, 12}},
+                                 {{8, 12}, {8, 13}},
+                                 {{8, 13}, {8, 14}},
+                                 {{7, 14}, {8, 14}},
+                                 {{10, 8}, {11, 8}}},
+                                {20.5, 21.5}, {2.5, 6.5}, 0.5));
 }
 
 // The start, the end of the wall and the goal lie on one line, except for rounding.
 TEST(DiscPaths, TurnTowardsAGoalBehindTheEndOfAWall) {
-  check_scene(scene_of("slanted gap", {{-0.70000000000000007, -1.9000000000000001}, {1.3, 0.10000000000000001}},
-                       {{{0.10000000000000001, -1.9000000000000001}, {0.10000000000000001, -1.1000000000000001}}},
-                       {1, -0.20000000000000001}, {-0.40000000000000002, -1.6000000000000001}, 0.050000000000000003));
+  check_shortest_paths(
+      scene_of("slanted gap", {{-0.70000000000000007, -1.9000000000000001}, {1.3, 0.10000000000000001}},
+               {{{0.10000000000000001, -1.9000000000000001}, {0.10000000000000001, -1.1000000000000001}}},
+               {1, -0.20000000000000001}, {-0.40000000000000002, -1.6000000000000001}, 0.050000000000000003));
 }
 
 // The disc touches the end of a wall at the start, so it can turn around this end to both sides at once. The search
 // once left out the second of these two turns.
 TEST(DiscPaths, TurnToBothSidesAtTheStart) {
-  check_scene(scene_of(
+  check_shortest_paths(scene_of(
       "the start touches the end of a wall", {{0, 0}, {100, 100}},
       {{{85, 70}, {89, 70}}, {{80, 40}, {68, 52}}, {{80, 60}, {73, 68}}, {{73, 68}, {89, 60}}, {{89, 60}, {80, 60}}},
       {90, 70}, {35, 20}, 1));
@@ -222,12 +224,12 @@ TEST(DiscPaths, TurnToBothSidesAtTheStart) {
 
 // Two chains of attempts begin with the same turn, and the search once took the second chain for the first one.
 TEST(DiscPaths, AttemptEachChainOfTurns) {
-  check_scene(scene_of("segments", {{0, 0}, {12, 12}},
-                       {{{7.2074679225333966, 7.8742704043870617}, {8.1969909088526833, 5.2099397670143421}},
-                        {{8.6882038094481686, 5.77513414715213}, {12, 9.7149476696509041}},
-                        {{8.2851143147054245, 5.0476763931874302}, {9.5398511077386949, 3.4714351170579922}}},
-                       {6.7684874920487346, 2.8215533851180226}, {11.546836544086545, 9.4166121897687844},
-                       0.084036044640517699));
+  check_shortest_paths(scene_of("segments", {{0, 0}, {12, 12}},
+                                {{{7.2074679225333966, 7.8742704043870617}, {8.1969909088526833, 5.2099397670143421}},
+                                 {{8.6882038094481686, 5.77513414715213}, {12, 9.7149476696509041}},
+                                 {{8.2851143147054245, 5.0476763931874302}, {9.5398511077386949, 3.4714351170579922}}},
+                                {6.7684874920487346, 2.8215533851180226}, {11.546836544086545, 9.4166121897687844},
+                                0.084036044640517699));
 }
 
 TEST(DiscPaths, AreFoundForTinyRadii) {
@@ -242,18 +244,18 @@ TEST(DiscPaths, AreFoundForTinyRadii) {
 // The disc turns around a vertex in a niche, but its centre stays outside of the niche, which is a dead end. The guide
 // once did not look into dead ends.
 TEST(DiscPaths, TurnAroundAVertexInADeadEnd) {
-  check_scene(scene_of("niche", {{0, 0}, {20, 12}},
-                       {{{0, 4.0625}, {7.25, 4.0625}},
-                        {{11.5, 4.0625}, {20, 4.0625}},
-                        {{7.25, 4.0625}, {7.25, 6}},
-                        {{11.5, 4.0625}, {11.5, 6}},
-                        {{7.25, 6}, {11.5, 6}},
-                        {{9.375, 6}, {8.9235622882843018, 4.3883111476898193}},
-                        {{1.5, 0.5}, {1.6, 0.9}},
-                        {{18.5, 0.5}, {18.4, 0.9}},
-                        {{3.152879194641113, 1.9770869140625}, {3.704879194641113, 2.6070869140625}}},
-                       {2.3775720024108886, 1.9597089355468746}, {9.9432754295349124, 3.9819924095153807},
-                       0.66650390625));
+  check_shortest_paths(scene_of("niche", {{0, 0}, {20, 12}},
+                                {{{0, 4.0625}, {7.25, 4.0625}},
+                                 {{11.5, 4.0625}, {20, 4.0625}},
+                                 {{7.25, 4.0625}, {7.25, 6}},
+                                 {{11.5, 4.0625}, {11.5, 6}},
+                                 {{7.25, 6}, {11.5, 6}},
+                                 {{9.375, 6}, {8.9235622882843018, 4.3883111476898193}},
+                                 {{1.5, 0.5}, {1.6, 0.9}},
+                                 {{18.5, 0.5}, {18.4, 0.9}},
+                                 {{3.152879194641113, 1.9770869140625}, {3.704879194641113, 2.6070869140625}}},
+                                {2.3775720024108886, 1.9597089355468746}, {9.9432754295349124, 3.9819924095153807},
+                                0.66650390625));
 }
 
 // If the goal lies on an edge of the mesh, the guide starts in both faces of this edge. It once did not mark the edge.
@@ -307,7 +309,7 @@ NamedScene cave() {
 
 // If a limit of the turn prevented a line that a window had suggested, the search once did not try the vertex that
 // limits the turn, and its path was too long.
-TEST(DiscPaths, ContinueAtTheLimitOfATurn) { check_scene(cave()); }
+TEST(DiscPaths, ContinueAtTheLimitOfATurn) { check_shortest_paths(cave()); }
 
 TEST(DiscPaths, AreFoundInCaves) {
   Random random(9);
@@ -325,7 +327,7 @@ TEST(DiscPaths, AreFoundInCaves) {
     scene.radii = {1.3, 1.0 + static_cast<double>(random.below(1000)) / 2000.0, 0.7, 1.0};
     move(scene.queries[0].first);
     move(scene.queries[0].second);
-    check_scene(scene);
+    check_shortest_paths(scene);
     if (testing::Test::HasFatalFailure()) FAIL() << "scene " << i;
   }
 }
@@ -335,7 +337,7 @@ class RandomWalls : public testing::TestWithParam<disc::SceneKind> {};
 TEST_P(RandomWalls, HaveTheShortestPathsOfDiscs) {
   Random random(3);
   for (std::uint64_t i = 0; i < (case_count() + 9) / 10; ++i) {
-    check_scene(disc::random_scene(random, GetParam()));
+    check_shortest_paths(disc::random_scene(random, GetParam()));
     if (testing::Test::HasFatalFailure()) FAIL() << "scene " << i;
   }
 }
@@ -348,7 +350,7 @@ TEST(DiscPaths, AreFoundInRareScenes) {
                                    std::pair{disc::SceneKind::corridors, 0xfb3f8b268c081657U},
                                    std::pair{disc::SceneKind::lattice, 0x88992d25985fa981U}}) {
     Random random(seed);
-    check_scene(disc::random_scene(random, kind));
+    check_shortest_paths(disc::random_scene(random, kind));
   }
 }
 

@@ -65,7 +65,7 @@ function(install_fetched prefix)
   file(MAKE_DIRECTORY ${BINARY})
   run(${CMAKE_COMMAND} -E chdir ${SOURCE} ${CMAKE_COMMAND} -E tar czf ${archive} CMakeLists.txt cmake src include LICENSE)
   use(consumer -DWAYWRIGHT_BY=FetchContent -DWAYWRIGHT_SOURCE=${archive} -DBUILD_SHARED_LIBS=ON -DWAYWRIGHT_INSTALL=ON
-      -DWAYWRIGHT_PRECOMPILE=ON)
+      -DWAYWRIGHT_PRECOMPILE=ON -DWAYWRIGHT_UNITY=8)
   run(${CMAKE_COMMAND} --install ${BINARY}/consumer --prefix ${BINARY}/before)
   file(REMOVE_RECURSE ${prefix})
   file(RENAME ${BINARY}/before ${prefix})

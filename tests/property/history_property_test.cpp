@@ -9,14 +9,14 @@
 namespace waywright::test {
 namespace {
 
-constexpr std::size_t kSteps = 120;
+constexpr std::size_t kHistorySteps = 120;
 
 TEST(HistoryProperty, AgreesWithAModelThatKeepsTheItemsOfEachTick) {
   HistoryCounts all;
   check_each_flavour([&](Flavour flavour, std::uint64_t seed) {
-    const HistoryReport report = check_history(flavour, seed, kSteps);
+    const HistoryReport report = check_history(flavour, seed, kHistorySteps);
     ASSERT_EQ(report.fault, "");
-    ASSERT_EQ(report.counts.steps, kSteps);
+    ASSERT_EQ(report.counts.steps, kHistorySteps);
     all += report.counts;
   });
   // Every kind of step happens in every run, however short.

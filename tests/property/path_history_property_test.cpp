@@ -17,7 +17,7 @@ namespace waywright::test {
 namespace {
 
 constexpr std::uint64_t kScripts = 60;
-constexpr std::size_t kSteps = 80;
+constexpr std::size_t kPathSteps = 80;
 constexpr std::size_t kLiveItems = 25;
 constexpr std::size_t kStepsBetween = 8;
 constexpr int kQueries = 12;
@@ -61,7 +61,7 @@ TEST_P(PathHistory, MakesNoDifferenceToPaths) {
   QueryContext context;
   std::size_t found = 0;
   for (std::uint64_t seed = 1; seed <= kScripts; ++seed) {
-    const ChangeScript script = random_changes(GetParam(), seed, kSteps, kLiveItems);
+    const ChangeScript script = random_changes(GetParam(), seed, kPathSteps, kLiveItems);
     World world = World::create(script.domain).value();
     LiveItems live(script.domain);
     Random random(seed);

@@ -18,7 +18,7 @@ namespace waywright::test {
 namespace {
 
 constexpr std::uint64_t kScenes = 60;
-constexpr std::size_t kQueries = 8;
+constexpr std::size_t kSymmetryQueries = 8;
 
 /// A movement, reflection or scaling of the plane that doubles compute exactly.
 using Movement = Point (*)(const Point&);
@@ -130,7 +130,7 @@ class PathSymmetryAmongObstacles : public ::testing::TestWithParam<Obstacles> {}
 TEST_P(PathSymmetryAmongObstacles, HoldsForTurnsMirrorsScalesAndReversal) {
   std::size_t found = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
-    const PathCase path_case = random_path_case(GetParam(), seed, kQueries);
+    const PathCase path_case = random_path_case(GetParam(), seed, kSymmetryQueries);
     found += expect_alike(path_case);
     expect_same_length_in_reverse(path_case);
     expect_scaled(path_case);
@@ -146,7 +146,7 @@ class PathSymmetryInRandomScenes : public ::testing::TestWithParam<Flavour> {};
 
 TEST_P(PathSymmetryInRandomScenes, HoldsForTurnsMirrorsScalesAndReversal) {
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
-    const PathCase path_case = random_path_case(GetParam(), seed, seed % 41, kQueries);
+    const PathCase path_case = random_path_case(GetParam(), seed, seed % 41, kSymmetryQueries);
     expect_alike(path_case);
     expect_same_length_in_reverse(path_case);
     if (GetParam() != Flavour::mixed) expect_scaled(path_case);  // its smallest coordinates cannot shrink

@@ -12,7 +12,7 @@
 namespace waywright::test {
 namespace {
 
-constexpr std::size_t kQueries = 5;
+constexpr std::size_t kQueriesPerScene = 5;
 
 /// The largest allowed mean ratio of a path's length to the shortest length.
 constexpr double kLargestMeanRatio = 1.02;
@@ -36,7 +36,7 @@ class PathsAmongObstacles : public ::testing::TestWithParam<Obstacles> {};
 
 TEST_P(PathsAmongObstacles, AreThoseOfTheVisibilityGraph) {
   check_cases(std::string(to_string(GetParam())),
-              [](std::uint64_t seed) { return random_path_case(GetParam(), seed, kQueries); });
+              [](std::uint64_t seed) { return random_path_case(GetParam(), seed, kQueriesPerScene); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Obstacles, PathsAmongObstacles, ::testing::ValuesIn(kObstacles),
@@ -46,7 +46,7 @@ class PathsInRandomScenes : public ::testing::TestWithParam<Flavour> {};
 
 TEST_P(PathsInRandomScenes, AreThoseOfTheVisibilityGraph) {
   check_cases(std::string(to_string(GetParam())),
-              [](std::uint64_t seed) { return random_path_case(GetParam(), seed, seed % 61, kQueries); });
+              [](std::uint64_t seed) { return random_path_case(GetParam(), seed, seed % 61, kQueriesPerScene); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Flavours, PathsInRandomScenes, ::testing::ValuesIn(kFlavours),

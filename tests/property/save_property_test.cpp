@@ -17,7 +17,7 @@
 namespace waywright::test {
 namespace {
 
-constexpr std::size_t kSteps = 60;
+constexpr std::size_t kSaveSteps = 60;
 
 /// Makes one step in a world. Returns the id of the step's last item, or the refusal.
 Result<ItemId> make(World& world, const Step& step) {
@@ -26,7 +26,7 @@ Result<ItemId> make(World& world, const Step& step) {
   return ids->empty() ? ItemId{} : ids->back();
 }
 
-void expect_equal(const World& a, const World& b) {
+void expect_equal_worlds(const World& a, const World& b) {
   EXPECT_EQ(a.domain(), b.domain());
   EXPECT_EQ(a.items_hash(), b.items_hash());
   EXPECT_EQ(a.mesh_hash(), b.mesh_hash());
@@ -54,7 +54,7 @@ void expect_same_future(World& a, World& b, const ChangeScript& script, std::siz
     ASSERT_EQ(*chosen, *also_chosen);
     ASSERT_TRUE(a.remove(*chosen).ok() && b.remove(*chosen).ok());
   }
-  expect_equal(a, b);
+  expect_equal_worlds(a, b);
   EXPECT_EQ(b.validate().fault, "");
 }
 
@@ -73,9 +73,9 @@ World make_first_half(const ChangeScript& script, const WorldOptions& options, s
   return world;
 }
 
-void check_script(Flavour flavour, std::uint64_t seed) {
+void check_saved_script(Flavour flavour, std::uint64_t seed) {
   const WorldOptions options{.keep_abstraction = seed % 3 != 0, .keep_bridges = seed % 5 == 1};
-  const ChangeScript script = random_changes(flavour, seed, kSteps, 12);
+  const ChangeScript script = random_changes(flavour, seed, kSaveSteps, 12);
   saved_world::Contents contents;
   World world = make_first_half(script, options, contents);
   std::stringstream stream;
@@ -84,11 +84,13 @@ void check_script(Flavour flavour, std::uint64_t seed) {
   Result<World> loaded = load_world(stream);
   ASSERT_TRUE(loaded.ok()) << loaded.error().message();
   ASSERT_EQ(loaded->items_hash().words, item_hash::hash_of(contents.domain, contents.items));
-  expect_equal(world, *loaded);
+  expect_equal_worlds(world, *loaded);
   expect_same_future(world, *loaded, script, script.steps.size() / 2);
 }
 
-TEST(SaveProperty, ASavedWorldHasTheBytesOfThePageAndContinuesAsTheWorldDoes) { check_each_flavour(check_script); }
+TEST(SaveProperty, ASavedWorldHasTheBytesOfThePageAndContinuesAsTheWorldDoes) {
+  check_each_flavour(check_saved_script);
+}
 
 }  // namespace
 }  // namespace waywright::test

@@ -15,7 +15,7 @@ namespace mp = boost::multiprecision;
 template <unsigned kBits>
 using Float = mp::number<mp::cpp_bin_float<kBits, mp::digit_base_2>, mp::et_off>;
 /// For positions, and for moments that surely differ.
-using Real = Float<400>;
+using Wide = Float<400>;
 /// More bits than two moments of the scenes have in common unless they are equal.
 using LongReal = Float<24000>;
 
@@ -83,24 +83,24 @@ bool are_equal(const Moment& p, const Moment& q) {
 }
 
 struct RealPoint {
-  Real x, y;
+  Wide x, y;
 };
 
 RealPoint position(const Motion& motion, const Moment& moment) {
-  const Real t = to<Real>(moment.whole) - sqrt(to<Real>(moment.square));
-  const auto between = [&](double from, double to) -> Real { return Real(from) + t * (Real(to) - Real(from)); };
+  const Wide t = to<Wide>(moment.whole) - sqrt(to<Wide>(moment.square));
+  const auto between = [&](double from, double to) -> Wide { return Wide(from) + t * (Wide(to) - Wide(from)); };
   return {between(motion.from.x, motion.to.x), between(motion.from.y, motion.to.y)};
 }
 
 Point rounded(const RealPoint& p) { return {p.x.convert_to<double>(), p.y.convert_to<double>()}; }
 
 RealPoint nearest(const RealPoint& p, const std::pair<Point, Point>& wall) {
-  const Real x = Real(wall.second.x) - Real(wall.first.x);
-  const Real y = Real(wall.second.y) - Real(wall.first.y);
-  Real share = ((p.x - Real(wall.first.x)) * x + (p.y - Real(wall.first.y)) * y) / (x * x + y * y);
+  const Wide x = Wide(wall.second.x) - Wide(wall.first.x);
+  const Wide y = Wide(wall.second.y) - Wide(wall.first.y);
+  Wide share = ((p.x - Wide(wall.first.x)) * x + (p.y - Wide(wall.first.y)) * y) / (x * x + y * y);
   if (share < 0) share = 0;
   if (share > 1) share = 1;
-  return {Real(wall.first.x) + share * x, Real(wall.first.y) + share * y};
+  return {Wide(wall.first.x) + share * x, Wide(wall.first.y) + share * y};
 }
 
 }  // namespace
@@ -138,7 +138,7 @@ std::optional<Moment> first_moment(const Motion& motion, const std::pair<Point, 
 }
 
 int compare(const Moment& p, const Moment& q) {
-  if (const auto sign = sign_of_difference<Real>(p, q)) return *sign;
+  if (const auto sign = sign_of_difference<Wide>(p, q)) return *sign;
   if (are_equal(p, q)) return 0;
   return sign_of_difference<LongReal>(p, q).value();
 }

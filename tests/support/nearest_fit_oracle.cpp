@@ -10,23 +10,21 @@
 namespace waywright::test::disc {
 namespace {
 
-using Real = double;
-
 struct Vec {
-  Real x;
-  Real y;
+  double x;
+  double y;
 };
 
 Vec operator+(const Vec& a, const Vec& b) { return {a.x + b.x, a.y + b.y}; }
 Vec operator-(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y}; }
-Vec operator*(const Vec& a, Real f) { return {a.x * f, a.y * f}; }
-Real product(const Vec& a, const Vec& b) { return a.x * b.x + a.y * b.y; }
-Real size(const Vec& a) { return std::sqrt(product(a, a)); }
+Vec operator*(const Vec& a, double f) { return {a.x * f, a.y * f}; }
+double product(const Vec& a, const Vec& b) { return a.x * b.x + a.y * b.y; }
+double size(const Vec& a) { return std::sqrt(product(a, a)); }
 
-Real distance_to_segment(const Vec& p, const Vec& a, const Vec& b) {
+double distance_to_segment(const Vec& p, const Vec& a, const Vec& b) {
   const Vec along = b - a;
-  const Real square = product(along, along);
-  const Real share = square > 0 ? std::clamp(product(p - a, along) / square, Real(0), Real(1)) : Real(0);
+  const double square = product(along, along);
+  const double share = square > 0 ? std::clamp(product(p - a, along) / square, double(0), double(1)) : double(0);
   return size(p - a - along * share);
 }
 
@@ -39,8 +37,10 @@ struct Curve {
 
 class Candidates {
  public:
-  Candidates(const Walls& walls, Point point, Real r) : r_(r) {
-    const auto relative = [&](const Point& p) { return Vec{Real(p.x) - Real(point.x), Real(p.y) - Real(point.y)}; };
+  Candidates(const Walls& walls, Point point, double r) : r_(r) {
+    const auto relative = [&](const Point& p) {
+      return Vec{double(p.x) - double(point.x), double(p.y) - double(point.y)};
+    };
     for (const auto& [a, b] : walls.segments) {
       if (a == b) continue;
       const Vec from = relative(a);
@@ -66,9 +66,9 @@ class Candidates {
 
   [[nodiscard]] const std::vector<Vec>& sorted() const { return found_; }
   /// Returns false only if a wall is nearer than r by more than the tolerance, a fraction of the sizes of the scene.
-  [[nodiscard]] bool may_be_free(const Vec& p, Real tolerance) const {
+  [[nodiscard]] bool may_be_free(const Vec& p, double tolerance) const {
     return std::all_of(walls_.begin(), walls_.end(), [&](const auto& wall) {
-      const Real scale = r_ + size(p) + size(wall.first) + size(wall.second);
+      const double scale = r_ + size(p) + size(wall.first) + size(wall.second);
       return distance_to_segment(p, wall.first, wall.second) >= r_ - tolerance * scale;
     });
   }
@@ -83,30 +83,30 @@ class Candidates {
   void add_crossings(const Curve& p, const Curve& q) {
     if (p.is_circle) return q.is_circle ? add_circles(p.at, q.at) : add_line_and_circle(q, p.at);
     if (q.is_circle) return add_line_and_circle(p, q.at);
-    const Real across = p.along.x * q.along.y - p.along.y * q.along.x;
+    const double across = p.along.x * q.along.y - p.along.y * q.along.x;
     if (across == 0) return;
     const Vec to = q.at - p.at;
     add(p.at + p.along * ((to.x * q.along.y - to.y * q.along.x) / across));
   }
   void add_line_and_circle(const Curve& line, const Vec& centre) {
     const Vec foot = line.at + line.along * product(centre - line.at, line.along);
-    const Real from = size(centre - foot);
-    const Real half = std::sqrt(std::max(Real(0), (r_ - from) * (r_ + from)));
+    const double from = size(centre - foot);
+    const double half = std::sqrt(std::max(double(0), (r_ - from) * (r_ + from)));
     if (from > r_ * (1 + 1e-15)) return;
     add(foot + line.along * half);
     add(foot - line.along * half);
   }
   void add_circles(const Vec& p, const Vec& q) {
     const Vec middle = (p + q) * 0.5;
-    const Real half = size(q - p) / 2;
+    const double half = size(q - p) / 2;
     if (half == 0 || half > r_ * (1 + 1e-15)) return;
-    const Real rise = std::sqrt(std::max(Real(0), (r_ - half) * (r_ + half)));
+    const double rise = std::sqrt(std::max(double(0), (r_ - half) * (r_ + half)));
     const Vec normal = Vec{p.y - q.y, q.x - p.x} * (1 / (2 * half));
     add(middle + normal * rise);
     add(middle - normal * rise);
   }
 
-  Real r_;
+  double r_;
   std::vector<std::pair<Vec, Vec>> walls_;
   std::vector<Curve> curves_;
   std::vector<Vec> found_;
@@ -115,10 +115,10 @@ class Candidates {
 /// Calls visit() with doubles around a position: the nearest ones, then rings of larger and larger radius.
 template <class Visit>
 bool visit_around(const Point& point, const Vec& position, Visit&& visit) {
-  const Real x = Real(point.x) + position.x;
-  const Real y = Real(point.y) + position.y;
+  const double x = double(point.x) + position.x;
+  const double y = double(point.y) + position.y;
   const double infinity = HUGE_VAL;
-  const auto near = [&](Real value) {
+  const auto near = [&](double value) {
     const auto middle = static_cast<double>(value);
     return std::vector<double>{middle, std::nextafter(middle, infinity), std::nextafter(middle, -infinity)};
   };
@@ -126,8 +126,8 @@ bool visit_around(const Point& point, const Vec& position, Visit&& visit) {
   for (const double near_x : near(x)) {
     for (const double near_y : near(y)) is_found = visit(Point{near_x, near_y}) || is_found;
   }
-  const Real ulp = std::max({std::abs(x), std::abs(y), size(position)}) * 0x1p-53;
-  for (Real ring = ulp; !is_found && ring < 5e4 * ulp; ring *= 4) {
+  const double ulp = std::max({std::abs(x), std::abs(y), size(position)}) * 0x1p-53;
+  for (double ring = ulp; !is_found && ring < 5e4 * ulp; ring *= 4) {
     for (int i = -4; i <= 4; ++i) {
       for (int j = -4; j <= 4; ++j) {
         if (std::max(std::abs(i), std::abs(j)) != 4) continue;
@@ -139,7 +139,9 @@ bool visit_around(const Point& point, const Vec& position, Visit&& visit) {
   return is_found;
 }
 
-Real distance_between(const Point& p, const Point& q) { return size({Real(p.x) - Real(q.x), Real(p.y) - Real(q.y)}); }
+double distance_between(const Point& p, const Point& q) {
+  return size({double(p.x) - double(q.x), double(p.y) - double(q.y)});
+}
 
 }  // namespace
 
@@ -147,7 +149,7 @@ std::optional<Point> nearest_fit(const Walls& walls, Point point, double r, cons
   if (is_free(walls, point, r) && counts(point)) return point;
   const Candidates candidates(walls, point, r);
   std::optional<Point> best;
-  Real least = 0;
+  double least = 0;
   std::map<std::pair<double, double>, bool> is_free_at;
   const auto is_point_free = [&](const Point& p) {
     const auto [entry, is_new] = is_free_at.try_emplace({p.x, p.y});
@@ -158,10 +160,10 @@ std::optional<Point> nearest_fit(const Walls& walls, Point point, double r, cons
     if (best && size(position) > least) break;
     if (!candidates.may_be_free(position, 1e-10)) continue;
     visit_around(point, position, [&](const Point& p) {
-      const Real distance = distance_between(p, point);
+      const double distance = distance_between(p, point);
       if (best && distance >= least) return false;
-      const Vec relative{Real(p.x) - Real(point.x), Real(p.y) - Real(point.y)};
-      if (!candidates.may_be_free(relative, 64 * std::numeric_limits<Real>::epsilon())) return false;
+      const Vec relative{double(p.x) - double(point.x), double(p.y) - double(point.y)};
+      if (!candidates.may_be_free(relative, 64 * std::numeric_limits<double>::epsilon())) return false;
       if (!is_point_free(p)) return false;
       if (counts(p)) {
         best = p;

@@ -18,7 +18,7 @@
 namespace waywright::test {
 namespace {
 
-constexpr std::size_t kScenes = 40;
+constexpr std::size_t kRandomScenes = 40;
 constexpr std::size_t kItems = 60;
 
 /// How often each kind of event occurs.
@@ -71,7 +71,7 @@ void count_meetings(const Scene& scene, Census& census) {
 
 Census census_of(Flavour flavour) {
   Census census;
-  for (std::uint64_t seed = 0; seed < kScenes; ++seed) {
+  for (std::uint64_t seed = 0; seed < kRandomScenes; ++seed) {
     const Scene scene = random_scene(flavour, seed, kItems);
     count_items(scene, census);
     count_meetings(scene, census);
@@ -86,17 +86,17 @@ TEST_P(RandomScenes, HaveAllKindsOfThings) {
   for (const char* thing : {"point", "segment", "polyline", "polygon", "even-odd", "nonzero", "several rings",
                             "sparse ids", "duplicates", "zero length", "rings of one point", "points on the boundary",
                             "overlaps", "sides on the boundary", "ends on sides", "bundles"}) {
-    EXPECT_GE(census[thing], kScenes / 2) << thing;
+    EXPECT_GE(census[thing], kRandomScenes / 2) << thing;
   }
-  EXPECT_GE(census["crossings"], 10 * kScenes);
-  EXPECT_LE(census["vertices"], 1000 * kScenes);  // otherwise the long runs would take too long
+  EXPECT_GE(census["crossings"], 10 * kRandomScenes);
+  EXPECT_LE(census["vertices"], 1000 * kRandomScenes);  // otherwise the long runs would take too long
 }
 
 TEST_P(RandomScenes, AreWhatAWorldTakes) {
   const auto legal = [](double value) {
     return value == 0.0 || (std::fabs(value) >= 0x1p-100 && std::fabs(value) <= 0x1p100);
   };
-  for (std::uint64_t seed = 0; seed < kScenes; ++seed) {
+  for (std::uint64_t seed = 0; seed < kRandomScenes; ++seed) {
     const Scene scene = random_scene(GetParam(), seed, kItems);
     const Box& box = scene.domain;
     ASSERT_LT(box.min.x, box.max.x);
@@ -128,7 +128,7 @@ TEST_P(RandomScenes, FollowFromTheirSeed) {
 
 TEST_P(RandomScenes, HaveTightAndWideDomains) {
   std::size_t tight = 0;
-  for (std::uint64_t seed = 0; seed < kScenes; ++seed) {
+  for (std::uint64_t seed = 0; seed < kRandomScenes; ++seed) {
     const Scene scene = random_scene(GetParam(), seed, 6);
     std::set<double> xs;
     for (const Item& item : scene.items) {
@@ -138,8 +138,8 @@ TEST_P(RandomScenes, HaveTightAndWideDomains) {
     }
     if (*xs.begin() == scene.domain.min.x && *xs.rbegin() == scene.domain.max.x) ++tight;
   }
-  EXPECT_GE(tight, kScenes / 10);
-  EXPECT_LE(tight, kScenes - kScenes / 10);
+  EXPECT_GE(tight, kRandomScenes / 10);
+  EXPECT_LE(tight, kRandomScenes - kRandomScenes / 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Flavours, RandomScenes, ::testing::ValuesIn(kFlavours),
@@ -149,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(Flavours, RandomScenes, ::testing::ValuesIn(kFlavours),
 TEST(RandomScenesMixed, HaveNearMissesAndManySizes) {
   std::size_t near_misses = 0;
   std::set<int> exponents;
-  for (std::uint64_t seed = 0; seed < kScenes; ++seed) {
+  for (std::uint64_t seed = 0; seed < kRandomScenes; ++seed) {
     std::set<double> xs;
     for (const Item& item : random_scene(Flavour::mixed, seed, kItems).items) {
       for (const auto& ring : item.shape.rings) {
@@ -161,7 +161,7 @@ TEST(RandomScenesMixed, HaveNearMissesAndManySizes) {
       if (*x != 0.0) exponents.insert(std::ilogb(*x));
     }
   }
-  EXPECT_GE(near_misses, 2 * kScenes);
+  EXPECT_GE(near_misses, 2 * kRandomScenes);
   EXPECT_GE(exponents.size(), 180U);
 }
 

@@ -10,7 +10,7 @@
 namespace waywright::test {
 namespace {
 
-const std::string kWorld = "waywright 1\ndomain 0 0 9 9\n";
+const std::string kClosedWorld = "waywright 1\ndomain 0 0 9 9\n";
 
 /// Each subcommand with arguments for which it prints, and the options that print without a subcommand. "$D" in the
 /// shell is the folder.
@@ -35,9 +35,9 @@ const std::vector<std::string> kPrinting{
 /// A folder with the files that kPrinting reads.
 struct Inputs {
   TemporaryFolder folder;
-  std::string script = folder.file("a.wws", kWorld + "locate 1 1\n");
+  std::string script = folder.file("a.wws", kClosedWorld + "locate 1 1\n");
   std::string scenario = folder.file("a.scen", "version 1\n0 a.map 9 9 1 1 1 3 2\n");
-  std::string silent = folder.file("silent.wws", kWorld + "point 1 1 1\n");
+  std::string silent = folder.file("silent.wws", kClosedWorld + "point 1 1 1\n");
 
   [[nodiscard]] CommandResult shell(const std::string& line) const {
     return run_shell("D=$1; " + line, {folder.file("")});
@@ -105,7 +105,7 @@ TEST(ClosedStreams, NoOutputFileTakesTheirDescriptors) {
     if (closed == "<&-") {
       EXPECT_EQ(read_file(dump), expected);
     }
-    EXPECT_EQ(read_file(inputs.script), kWorld + "locate 1 1\n") << closed;
+    EXPECT_EQ(read_file(inputs.script), kClosedWorld + "locate 1 1\n") << closed;
   }
 }
 

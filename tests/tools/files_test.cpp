@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kWorld = "waywright 1\ndomain 0 0 9 9\nlocate 1 1\n";
-const std::string kMap = "type octile\nheight 9\nwidth 9\nmap\n" + [] {
+const std::string kFileWorld = "waywright 1\ndomain 0 0 9 9\nlocate 1 1\n";
+const std::string kFileMap = "type octile\nheight 9\nwidth 9\nmap\n" + [] {
   std::string rows;
   for (int i = 0; i < 9; ++i) rows += ".........\n";
   return rows;
@@ -27,8 +27,8 @@ const std::string kNode = "1 2 0 0\n1 0 0\n";
 /// The files that each subcommand reads, and other names of these files.
 struct Files {
   TemporaryFolder folder;
-  std::string script = folder.file("a.wws", kWorld);
-  std::string map = folder.file("a.map", kMap);
+  std::string script = folder.file("a.wws", kFileWorld);
+  std::string map = folder.file("a.map", kFileMap);
   std::string scenario = folder.file("a.scen", kScenario);
   std::string poly = folder.file("b.poly", kPoly);
   std::string node = folder.file("b.node", kNode);
@@ -45,8 +45,8 @@ struct Files {
   }
 
   void expect_untouched() const {
-    EXPECT_EQ(read_file(script), kWorld);
-    EXPECT_EQ(read_file(map), kMap);
+    EXPECT_EQ(read_file(script), kFileWorld);
+    EXPECT_EQ(read_file(map), kFileMap);
     EXPECT_EQ(read_file(scenario), kScenario);
     EXPECT_EQ(read_file(node), kNode);
     EXPECT_EQ(folder.file_count(), count);
@@ -268,7 +268,7 @@ TEST(WrittenFiles, NameAFolderThatIsNotThere) {
 // Nobody reads the answers, so the run blocks when the pipe is full.
 TEST(WrittenFiles, LeaveNothingBehindWhereTheRunIsKilled) {
   const Files files;
-  std::string script = kWorld;
+  std::string script = kFileWorld;
   for (int i = 0; i < 50000; ++i) script += "locate 1 2\n";
   const auto result = run_shell(
       "cd \"$1\"; mkfifo pipe; { \"$W\" run - --dump new <\"$2\" & echo $! >&2; wait; } 2>id >pipe & exec 3<pipe; "
@@ -343,10 +343,10 @@ TEST(Dash, IsAWorldScriptWhereNothingSaysOtherwise) {
 
 TEST(Dash, IsAWorldScriptWhereAMapIsRead) {
   const Files files;
-  EXPECT_EQ(run_command({"convert", "-", "-"}, kWorld).out, "waywright 1\ndomain 0 0 9 9\n");
-  EXPECT_EQ(run_command({"path", "-", "--from", "1", "1", "--to", "4", "5"}, kWorld).out,
+  EXPECT_EQ(run_command({"convert", "-", "-"}, kFileWorld).out, "waywright 1\ndomain 0 0 9 9\n");
+  EXPECT_EQ(run_command({"path", "-", "--from", "1", "1", "--to", "4", "5"}, kFileWorld).out,
             run_command({"path", files.script, "--from", "1", "1", "--to", "4", "5"}).out);
-  const auto result = run_command({"convert", "-", "-"}, kMap);
+  const auto result = run_command({"convert", "-", "-"}, kFileMap);
   EXPECT_EQ(result.err, "-:1: expected the header 'waywright 1', found 'type'\n");
 }
 

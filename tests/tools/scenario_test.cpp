@@ -13,21 +13,21 @@ namespace {
 
 /// All tiles are free except a column of two tiles below the upper side. The path around it leads through (1, 2) and
 /// (2, 2).
-const std::string kMap = "type octile\nheight 3\nwidth 3\nmap\n.@.\n.T.\n...\n";
+const std::string kScenarioMap = "type octile\nheight 3\nwidth 3\nmap\n.@.\n.T.\n...\n";
 
 std::string query(const std::string& ends, const std::string& length) {
   return "0\tu.map\t3\t3\t" + ends + "\t" + length + "\n";
 }
 
 /// 1 + 2 sqrt 5 is 5.472135954999579...
-const std::string kScenario = "version 1\n" + query("0\t0\t3\t0", "5.472136") + query("0\t0\t0\t3", "3.5") +
-                              query("0\t0\t0\t2", "1.9") + query("1 2 1 2", "0") + query("0\t1\t3\t1", "-1") +
-                              query("1.5\t0.5\t0\t1", "1");
+const std::string kQueries = "version 1\n" + query("0\t0\t3\t0", "5.472136") + query("0\t0\t0\t3", "3.5") +
+                             query("0\t0\t0\t2", "1.9") + query("1 2 1 2", "0") + query("0\t1\t3\t1", "-1") +
+                             query("1.5\t0.5\t0\t1", "1");
 
-struct Files {
+struct ScenarioFiles {
   TemporaryFolder folder;
-  std::string map = folder.file("u.map", kMap);
-  std::string scenario = folder.file("u.map.scen", kScenario);
+  std::string map = folder.file("u.map", kScenarioMap);
+  std::string scenario = folder.file("u.map.scen", kQueries);
 };
 
 /// Returns the number after the name of a line.
@@ -42,7 +42,7 @@ std::string number_after(const std::string& text, const std::string& name) {
 
 TEST(ScenarioCommand, ComparesLengthsWithThoseGiven) {
   for (const std::string algorithm : {"optimal", "ta", "tra"}) {
-    const Files files;
+    const ScenarioFiles files;
     const auto result = run_command({"scenario", files.map, files.scenario, "--algorithm", algorithm});
     EXPECT_EQ(result.status, 0);
     EXPECT_EQ(result.err, "");
@@ -76,7 +76,7 @@ TEST(ScenarioCommand, CountsEndsBetweenTwoCells) {
 }
 
 TEST(ScenarioCommand, WritesALineForEachQuery) {
-  const Files files;
+  const ScenarioFiles files;
   const std::string csv = files.folder.file("u.csv");
   EXPECT_EQ(run_command({"scenario", files.map, files.scenario, "--csv", csv}).status, 0);
   std::istringstream text(read_file(csv));
@@ -92,7 +92,7 @@ TEST(ScenarioCommand, WritesALineForEachQuery) {
 // The passage below the column of two blocked tiles is one tile high, so a disc of radius 0.5 fits exactly.
 TEST(ScenarioCommand, AsksForDiscs) {
   TemporaryFolder folder;
-  const std::string map = folder.file("u.map", kMap);
+  const std::string map = folder.file("u.map", kScenarioMap);
   const std::string scenario =
       folder.file("u.map.scen", "version 1\n" + query("0.5\t0.5\t2.5\t0.5", "9") + query("0.5 0.5 0.5 2.5", "2") +
                                     query("0\t0\t2.5\t0.5", "1") + query("0.5\t0.5\t2\t1", "-1"));
@@ -124,7 +124,7 @@ TEST(ScenarioCommand, AsksForDiscs) {
 
 TEST(ScenarioCommand, PutsDiscsAtTheCentresOfCells) {
   TemporaryFolder folder;
-  const std::string map = folder.file("u.map", kMap);
+  const std::string map = folder.file("u.map", kScenarioMap);
   const std::string tiles = folder.file("u.map.scen", "version 1\n" + query("0\t0\t2\t0", "9"));
   const std::string csv = folder.file("u.csv");
   const auto result = run_command({"scenario", map, tiles, "--radius", "0.5", "--csv", csv});
@@ -141,7 +141,7 @@ TEST(ScenarioCommand, PutsDiscsAtTheCentresOfCells) {
 }
 
 TEST(ScenarioCommand, RefusesABadRadius) {
-  const Files files;
+  const ScenarioFiles files;
   for (const std::string bad : {"-1", "nan", "inf", "1e400", "", "five"}) {
     const auto result = run_command({"scenario", files.map, files.scenario, "--radius", bad});
     EXPECT_EQ(result.status, 2) << bad;
@@ -151,7 +151,7 @@ TEST(ScenarioCommand, RefusesABadRadius) {
 }
 
 TEST(ScenarioCommand, DrawsTheQueriesAskedFor) {
-  const Files files;
+  const ScenarioFiles files;
   const std::string svg = files.folder.file("u.svg");
   EXPECT_EQ(
       run_command({"scenario", files.map, files.scenario, "--svg", svg, "--query", "1", "--query", "2", "--no-mesh"})
@@ -164,7 +164,7 @@ TEST(ScenarioCommand, DrawsTheQueriesAskedFor) {
 }
 
 TEST(ScenarioCommand, TakesBlanksCarriageReturnsAndStandardInput) {
-  const Files files;
+  const ScenarioFiles files;
   const auto result = run_command({"scenario", files.map, "-"}, "version 1.0\r\n0 u.map 3 3 0 0 0 3 3.0\r\n\r\n");
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(number_after(result.out, "as given"), "1");
@@ -180,7 +180,7 @@ void PrintTo(const BadScenario& bad, std::ostream* out) { *out << bad.message; }
 class BadScenarios : public testing::TestWithParam<BadScenario> {};
 
 TEST_P(BadScenarios, AreReportedWithTheirLineAndLeaveNothing) {
-  const Files files;
+  const ScenarioFiles files;
   const std::string scenario = files.folder.file("bad.scen", GetParam().text);
   const auto result = run_command({"scenario", files.map, scenario, "--csv", files.folder.file("out.csv")});
   EXPECT_EQ(result.status, 2);
@@ -211,7 +211,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "or add --any-map to carry out these queries, too"}));
 
 TEST(ScenarioCommand, TakesTheNameOfItsMapFromAnyFolderAndSystem) {
-  const Files files;
+  const ScenarioFiles files;
   for (const std::string name : {"u.map", "maps/dao/u.map", "maps\\dao\\u.map", "./u.map"}) {
     const auto result = run_command({"scenario", files.map, "-"}, "version 1\n0 " + name + " 3 3 0 0 0 3 3.0\n");
     EXPECT_EQ(result.status, 0) << name << result.err;
@@ -220,7 +220,7 @@ TEST(ScenarioCommand, TakesTheNameOfItsMapFromAnyFolderAndSystem) {
 }
 
 TEST(ScenarioCommand, AnswersTheQueriesOfAnotherMapIfAsked) {
-  const Files files;
+  const ScenarioFiles files;
   const std::string scenario = files.folder.file("v.scen", "version 1\n0 v.map 99 3 0 0 0 3 3.0\n");
   EXPECT_EQ(run_command({"scenario", files.map, scenario}).status, 2);
   const auto result = run_command({"scenario", files.map, scenario, "--any-map"});
@@ -230,7 +230,7 @@ TEST(ScenarioCommand, AnswersTheQueriesOfAnotherMapIfAsked) {
 
 // A world script has no tiles, and a map that was converted to one keeps its name.
 TEST(ScenarioCommand, TakesTheMapAsAWorldScript) {
-  const Files files;
+  const ScenarioFiles files;
   const std::string script = files.folder.file("u.wws");
   ASSERT_EQ(run_command({"convert", files.map, script}).status, 0);
   const auto result = run_command({"scenario", script, files.scenario});
@@ -242,7 +242,7 @@ TEST(ScenarioCommand, TakesTheMapAsAWorldScript) {
 class BadScenarioArguments : public testing::TestWithParam<std::vector<std::string>> {};
 
 TEST_P(BadScenarioArguments, EndInOneLineAndStatus2) {
-  const Files files;
+  const ScenarioFiles files;
   std::vector<std::string> arguments{"scenario", files.map, files.scenario};
   for (const std::string& argument : GetParam()) {
     arguments.push_back(argument.starts_with("NEW") ? files.folder.file(argument) : argument);
@@ -265,7 +265,7 @@ INSTANTIATE_TEST_SUITE_P(All, BadScenarioArguments,
                                          Arguments{"--svg", "NEW", "--csv", "NEW", "--query", "1"}, Arguments{"more"}));
 
 TEST(PathCommand, TakesTheNameOfAnAlgorithm) {
-  const Files files;
+  const ScenarioFiles files;
   for (const std::string algorithm : {"optimal", "ta", "tra"}) {
     const auto lines = json_lines(
         run_command({"path", files.map, "--from", "0", "0", "--to", "3", "0", "--algorithm", algorithm}).out);

@@ -130,7 +130,7 @@ TEST(SvgDiscs, DrawsTheAreaAsAStrokeAsWideAsTheDisc) {
   EXPECT_EQ(label.substr(0, 39), "path of a disc, radius 5, length 67.255");
   EXPECT_NEAR(length, 67.255, 0.001);
   EXPECT_EQ(drawn["labels"],
-            json({"1 wall", label, "area that the disc covers", "disc at its start and goal", "start", "goal"}));
+            json({"1 polyline", label, "area that the disc covers", "disc at its start and goal", "start", "goal"}));
 }
 
 TEST(SvgDiscs, DrawsADiscThatStaysWhereItIs) {
@@ -198,7 +198,7 @@ TEST(SvgDiscs, MarksTheGapThatStopsTheDisc) {
   ASSERT_EQ(labels.size(), 1U);
   EXPECT_EQ(labels[0]["text"], "gap 10");
   EXPECT_EQ(drawn["labels"],
-            json({"1 solid", "1 wall", "1 failed path of a disc, no path", "disc at its start and goal",
+            json({"1 solid", "1 polyline", "1 failed path of a disc, no path", "disc at its start and goal",
                   "gap 10 wide: a disc of radius 5 fits through", "items that stop the disc"}));
 }
 
@@ -209,7 +209,7 @@ TEST(SvgDiscs, MarksTheItemsThatBlockAnEnd) {
   const json drawn = drawing_of(world, {.disc_paths = {path}}, bare_options());
   EXPECT_EQ(drawn["groups"]["obstacles"], 2);  // the wall and the border of the domain
   EXPECT_EQ(drawn["groups"]["gaps"], 0);
-  EXPECT_EQ(drawn["labels"], json({"1 wall", "1 failed path of a disc, start blocked", "disc at its start and goal",
+  EXPECT_EQ(drawn["labels"], json({"1 polyline", "1 failed path of a disc, start blocked", "disc at its start and goal",
                                    "items that stop the disc"}));
 }
 

@@ -26,7 +26,7 @@ TEST(SvgFile, OfARunShowsTheFinalWorldAndThePathsFoundInIt) {
   EXPECT_EQ(result.status, 0);
   const json drawn = outline(read_file(picture));
   ASSERT_TRUE(drawn.is_object()) << drawn;
-  EXPECT_EQ(drawn["groups"]["walls"], 1);
+  EXPECT_EQ(drawn["groups"]["lines"], 1);
   EXPECT_EQ(drawn["groups"]["paths"], 2);
   EXPECT_THAT(read_file(picture), ::testing::HasSubstr("path, length 8.4853</text>"));  // 6 sqrt(2)
   EXPECT_THAT(read_file(picture), ::testing::HasSubstr("path, length 1.4142</text>"));

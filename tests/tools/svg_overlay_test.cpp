@@ -47,7 +47,7 @@ TEST(ToSvg, MarksRays) {
                                     {{1, 9}, {9, 9}, world.ray({1, 9}, {9, 9}).value()}}};
   const SvgOptions options = bare_options();
   const json drawn = drawing_of(world, overlay, options);
-  EXPECT_EQ(drawn["labels"], json({"1 wall", "2 rays", "1 hit"}));
+  EXPECT_EQ(drawn["labels"], json({"1 polyline", "2 rays", "1 hit"}));
   EXPECT_EQ(hints_of(drawn, "rays"), (std::vector<std::string>{"ray from (1, 2) to (9, 2), hits 3 at (5, 2)",
                                                                "ray from (1, 9) to (9, 9), hits nothing"}));
   EXPECT_EQ(hints_of(drawn, "rays-ends"),
@@ -87,7 +87,7 @@ TEST(ToSvg, ColoursLocationsByTheirAnswer) {
     overlay.locations.push_back({point, world.locate(point).value()});
   }
   const json drawn = drawing_of(world, overlay, bare_options());
-  EXPECT_EQ(drawn["labels"], json({"1 solid", "1 wall", "1 located point in a face", "1 located point on an edge",
+  EXPECT_EQ(drawn["labels"], json({"1 solid", "1 polyline", "1 located point in a face", "1 located point on an edge",
                                    "1 located point on a vertex", "3 located points in polygons"}));
   EXPECT_EQ(hints_of(drawn, "locations"),
             (std::vector<std::string>{"(8, 5.25): face", "(6, 5): edge", "(6, 9): vertex", "(2, 3): face, inside 8",

@@ -35,14 +35,14 @@ TEST(ToSvg, DrawsEachThingOnceInItsGroup) {
   const json drawn = drawing_of(world, {.paths = {path, none}});
   EXPECT_EQ(drawn["groups"]["solids"], 2);
   EXPECT_EQ(drawn["solids"], json::parse("[2,1]"));
-  EXPECT_EQ(drawn["groups"]["walls"], 2);
+  EXPECT_EQ(drawn["groups"]["lines"], 2);
   EXPECT_EQ(drawn["groups"]["points"], 2);
   EXPECT_EQ(drawn["groups"]["paths"], 1);
   EXPECT_EQ(drawn["groups"]["ends"], 2);
   EXPECT_EQ(drawn["title"], nullptr);
   const std::string triangles = std::to_string(world.triangle_count()) + " triangles";
-  EXPECT_EQ(drawn["labels"],
-            json({"2 solids", "2 walls", "2 points", triangles, "path, length 12.346", "start", "goal", "1", "y up"}));
+  EXPECT_EQ(drawn["labels"], json({"2 solids", "2 polylines", "2 points", triangles, "path, length 12.346", "start",
+                                   "goal", "1", "y up"}));
 }
 
 TEST(ToSvg, FillsEachPolygonByItsRule) {
@@ -73,7 +73,7 @@ TEST(ToSvg, DrawsEveryFreeEdgeOnceAndNoneWithoutMesh) {
 
   const json without = drawing_of(world, {}, bare_options());
   EXPECT_EQ(without["mesh"], 0);
-  EXPECT_EQ(without["labels"], json({"1 wall", "1 point"}));
+  EXPECT_EQ(without["labels"], json({"1 polyline", "1 point"}));
 }
 
 /// A locale with a decimal comma and digits in groups.
@@ -173,7 +173,7 @@ TEST(ToSvg, HasTheIdOfEachItemOnHover) {
   const json drawn = drawing_of(world);
   using Hints = std::vector<std::string>;
   EXPECT_EQ(hints_of(drawn, "solids"), Hints{"polygon 7"});
-  EXPECT_EQ(hints_of(drawn, "walls"), (Hints{"polyline 5", "segment 9223372036854775807"}));
+  EXPECT_EQ(hints_of(drawn, "lines"), (Hints{"polyline 5", "segment 9223372036854775807"}));
   EXPECT_EQ(hints_of(drawn, "points"), Hints{"point 1"});
   SvgOptions options;
   options.ids = false;
@@ -237,7 +237,7 @@ TEST(ToSvg, HoldsNothingOutsideTheCropBox) {
                      .discs = {{{900, 900}, 20, "", ""}, {{480, 240}, 15, "", ""}},
                      .labels = {{.at = {900, 900}, .text = "outside"}, {.at = {500, 240}, .text = "inside"}}};
   const json drawn = drawing_of(world, overlay, options);
-  EXPECT_EQ(hints_of(drawn, "walls"), std::vector<std::string>{"segment 1"});
+  EXPECT_EQ(hints_of(drawn, "lines"), std::vector<std::string>{"segment 1"});
   EXPECT_EQ(hints_of(drawn, "solids"), std::vector<std::string>{"polygon 3"});
   EXPECT_EQ(hints_of(drawn, "points"), std::vector<std::string>{"point 5"});
   EXPECT_EQ(drawn["groups"]["paths"], 1);
@@ -255,7 +255,7 @@ TEST(ToSvg, HoldsNothingOutsideTheCropBox) {
 
   // The wall through the box keeps its position: at x = 500 it has y = 250.
   const SvgFrame frame = frame_of(world, options);
-  const std::string data = elements_of(drawn, "walls", "path").at(0)["d"];
+  const std::string data = elements_of(drawn, "lines", "path").at(0)["d"];
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   ASSERT_EQ(std::sscanf(data.c_str(), "M%lf %lfL%lf %lf", &x0, &y0, &x1, &y1), 4) << data;
   const Point middle = frame.to_picture({500, 250});

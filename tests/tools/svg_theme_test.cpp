@@ -50,7 +50,7 @@ TEST(ToSvg, HasColoursOfEnoughContrastInBothThemes) {
       }
       const std::string group = element["group"];
       const bool is_mark = group == "paths" || group == "locations" || group.starts_with("rays") ||
-                           group.starts_with("failed") || group == "discs" || group == "ends" || group == "walls";
+                           group.starts_with("failed") || group == "discs" || group == "ends" || group == "lines";
       if (!is_mark) continue;
       for (const char* name : {"fill", "stroke"}) {
         const std::string colour = element.value(name, std::string("none"));

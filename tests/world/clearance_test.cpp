@@ -26,8 +26,8 @@ using disc::NamedScene;
 using disc::Rational;
 using Ids = std::vector<ItemId>;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr WorldOptions kWithBridges = {.keep_bridges = true};
+constexpr double kNoWidth = std::numeric_limits<double>::infinity();
+constexpr WorldOptions kKeepBridges = {.keep_bridges = true};
 
 std::string fault_of(const World& world) { return world.validate().fault; }
 
@@ -45,7 +45,7 @@ TEST_P(RandomChanges, KeepTheBridgesOfARebuild) {
   for (std::uint64_t seed = 0; seed < (case_count() + 9) / 10; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const ChangeScript script = random_changes(GetParam(), seed, 120, 4 + 8 * (seed % 4));
-    World world = World::create(script.domain, kWithBridges).value();
+    World world = World::create(script.domain, kKeepBridges).value();
     Random random(seed);
     for (const Step& step : script.steps) {
       static_cast<void>(perform(world, step));
@@ -64,7 +64,7 @@ TEST_P(RandomChanges, OfWallsAloneKeepTheBridgesOfARebuild) {
   for (std::uint64_t seed = 0; seed < (case_count() + 4) / 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     ChangeScript script = random_changes(GetParam(), 1000 + seed, 120, 4 + 8 * (seed % 4));
-    World world = World::create(script.domain, kWithBridges).value();
+    World world = World::create(script.domain, kKeepBridges).value();
     for (Step& step : script.steps) {
       std::erase_if(step.changes, [](const Change& change) {
         return change.kind != Change::Kind::remove && !has_walls(change.shape);
@@ -79,7 +79,7 @@ TEST_P(RandomChanges, OfWallsAloneKeepTheBridgesOfARebuild) {
 TEST_P(RandomChanges, HaveTheBridgesOfABulkLoad) {
   for (std::uint64_t seed = 0; seed < (case_count() + 4) / 5; ++seed) {
     const Scene scene = random_scene(GetParam(), seed, 40);
-    World world = World::create(scene.domain, kWithBridges).value();
+    World world = World::create(scene.domain, kKeepBridges).value();
     const std::size_t half = scene.items.size() / 2;
     const std::span<const Item> items = scene.items;
     world.insert_all(items.first(half)).value();
@@ -98,8 +98,8 @@ enum class Loose : std::uint8_t { none, some };
 
 /// Returns a world of the scene's walls, in an order that depends on the seed. With loose corners, the world also has
 /// points and polygons with a ring of one corner, which must not change any answer.
-World world_of(const NamedScene& scene, Loose loose, std::uint64_t seed) {
-  World world = World::create(scene.domain, kWithBridges).value();
+World cleared_world_of(const NamedScene& scene, Loose loose, std::uint64_t seed) {
+  World world = World::create(scene.domain, kKeepBridges).value();
   Random random(seed);
   std::vector<Item> items;
   for (const auto& [a, b] : scene.walls.segments) {
@@ -188,15 +188,15 @@ void check_widest(const World& world, const NamedScene& scene, const disc::Conne
     check_gap(widest, scene);
     if (testing::Test::HasFatalFailure()) return;
   } else {
-    ASSERT_EQ(widest.radius, kInfinity);
+    ASSERT_EQ(widest.radius, kNoWidth);
   }
   const Rational largest = disc::largest_at(walls_of(scene), start, goal);
   if (expected->is_limited && expected->squared_diameter < largest) {
     ASSERT_TRUE(widest.is_limited);
     ASSERT_LE(4 * square(widest.radius), expected->squared_diameter);
-    ASSERT_GT(4 * square(std::nextafter(widest.radius, kInfinity)), expected->squared_diameter);
+    ASSERT_GT(4 * square(std::nextafter(widest.radius, kNoWidth)), expected->squared_diameter);
   } else if (widest.is_limited) {
-    ASSERT_GT(4 * square(std::nextafter(widest.radius, kInfinity)), largest);
+    ASSERT_GT(4 * square(std::nextafter(widest.radius, kNoWidth)), largest);
   }
   for (const double radius : scene.radii) {
     if (!oracle.is_free(start, radius) || !oracle.is_free(goal, radius)) continue;
@@ -204,11 +204,11 @@ void check_widest(const World& world, const NamedScene& scene, const disc::Conne
   }
 }
 
-void check_scene(const NamedScene& scene, std::uint64_t seed) {
+void check_fits(const NamedScene& scene, std::uint64_t seed) {
   SCOPED_TRACE(scene.name);
   const disc::Connectivity oracle(walls_of(scene));
-  const World world = world_of(scene, Loose::none, seed);
-  const World other = world_of(scene, Loose::some, seed + 1);
+  const World world = cleared_world_of(scene, Loose::none, seed);
+  const World other = cleared_world_of(scene, Loose::some, seed + 1);
   for (const auto& [start, goal] : scene.queries) {
     SCOPED_TRACE(to_string(start) + " to " + to_string(goal));
     check_fit(world, scene, oracle, start);
@@ -221,9 +221,9 @@ void check_scene(const NamedScene& scene, std::uint64_t seed) {
 // The order of the insertions and items without walls must not change an answer.
 void check_order(const NamedScene& scene, std::uint64_t seed) {
   SCOPED_TRACE(scene.name);
-  const World world = world_of(scene, Loose::none, seed);
-  const World other = world_of(scene, Loose::none, seed + 1);
-  const World loose = world_of(scene, Loose::some, seed + 2);
+  const World world = cleared_world_of(scene, Loose::none, seed);
+  const World other = cleared_world_of(scene, Loose::none, seed + 1);
+  const World loose = cleared_world_of(scene, Loose::some, seed + 2);
   for (const auto& [start, goal] : scene.queries) {
     const WidestPath widest = world.widest_path(start, goal).value();
     ASSERT_EQ(other.widest_path(start, goal).value(), widest);
@@ -240,7 +240,7 @@ TEST(Clearance, AgreesWithTheOracleInTrapScenes) {
     const std::vector<NamedScene> scenes = disc::trap_scenes(seed);
     for (std::size_t i = 0; i < scenes.size(); ++i) {
       check_order(scenes[i], seed);
-      if (i % 4 == seed % 4 && !testing::Test::HasFatalFailure()) check_scene(scenes[i], seed);
+      if (i % 4 == seed % 4 && !testing::Test::HasFatalFailure()) check_fits(scenes[i], seed);
       if (testing::Test::HasFatalFailure()) return;
     }
   }
@@ -251,7 +251,7 @@ class RandomWalls : public testing::TestWithParam<disc::SceneKind> {};
 TEST_P(RandomWalls, AgreeWithTheOracle) {
   Random random(3);
   for (std::uint64_t i = 0; i < (case_count() + 9) / 10; ++i) {
-    check_scene(disc::random_scene(random, GetParam()), i);
+    check_fits(disc::random_scene(random, GetParam()), i);
     if (testing::Test::HasFatalFailure()) FAIL() << "scene " << i;
   }
 }
@@ -267,8 +267,8 @@ TEST_P(RandomWalls, HaveTheSameAnswersInAnyOrder) {
 INSTANTIATE_TEST_SUITE_P(Clearance, RandomWalls, testing::ValuesIn(disc::kSceneKinds),
                          [](const auto& kind) { return std::string(to_string(kind.param)); });
 
-World world_of_rooms() {
-  World world = World::create({{0, 0}, {20, 10}}, kWithBridges).value();
+World three_rooms() {
+  World world = World::create({{0, 0}, {20, 10}}, kKeepBridges).value();
   world.insert_segment({10, 0}, {10, 4}, 1).value();
   world.insert_segment({10, 7}, {10, 10}, 2).value();
   world.insert(Shape::rectangle({{14, 1}, {16, 3}}), 3).value();
@@ -276,7 +276,7 @@ World world_of_rooms() {
 }
 
 TEST(FitDisc, CountsPolygonsAroundTheCentreAndTheDomain) {
-  const World world = world_of_rooms();
+  const World world = three_rooms();
   const auto fit = [&](Point centre, double radius) { return world.fit_disc(centre, radius).value(); };
   EXPECT_EQ(fit({5, 5}, 5), (DiscFit{true, {}}));
   EXPECT_EQ(fit({5, 5}, std::nextafter(5.0, 6.0)), (DiscFit{false, {0}}));
@@ -299,18 +299,18 @@ TEST(FitDisc, NeedsNoBridges) {
 }
 
 TEST(WidestPath, NamesTheGapAndTheItemsAtItsEnds) {
-  const World world = world_of_rooms();
+  const World world = three_rooms();
   const WidestPath widest = world.widest_path({5, 5}, {15, 6}).value();
   EXPECT_EQ(widest, (WidestPath{true, true, 1.5, {10, 4}, {10, 7}, {1}, {2}}));
   const WidestPath same = world.widest_path({5, 5}, {4, 5.5}).value();
-  EXPECT_EQ(same, (WidestPath{true, false, kInfinity, {}, {}, {}, {}}));
+  EXPECT_EQ(same, (WidestPath{true, false, kNoWidth, {}, {}, {}, {}}));
   // The gaps at the left and the right end of the rectangle are equal. Their positions decide.
   const WidestPath below = world.widest_path({15, 0.5}, {15, 6}).value();
   EXPECT_EQ(below, (WidestPath{true, true, 0.5, {16, 1}, {16, 0}, {3}, {0}}));
 }
 
 TEST(WidestPath, EndsAtTheFootOnAWallOfTheDomain) {
-  World world = World::create({{0, 0}, {20, 10}}, kWithBridges).value();
+  World world = World::create({{0, 0}, {20, 10}}, kKeepBridges).value();
   world.insert_segment({10, 0}, {10, 7}, 1).value();
   world.insert_point({10, 8}, 2).value();
   EXPECT_EQ(world.widest_path({5, 5}, {15, 5}).value(), (WidestPath{true, true, 1.5, {10, 7}, {10, 10}, {1}, {0}}));
@@ -319,7 +319,7 @@ TEST(WidestPath, EndsAtTheFootOnAWallOfTheDomain) {
 }
 
 TEST(WidestPath, LeavesNoConnectionInPolygonsAndOnWalls) {
-  World world = world_of_rooms();
+  World world = three_rooms();
   EXPECT_EQ(world.widest_path({15, 2}, {5, 5}).value(), WidestPath{}) << "inside a polygon";
   EXPECT_EQ(world.widest_path({15, 2}, {15, 2.5}).value(), WidestPath{}) << "inside the same polygon";
   EXPECT_EQ(world.widest_path({5, 5}, {10, 2}).value(), WidestPath{}) << "on a wall";
@@ -329,7 +329,7 @@ TEST(WidestPath, LeavesNoConnectionInPolygonsAndOnWalls) {
 }
 
 TEST(WidestPath, IgnoresLooseCornersBeforeAndAfterTheyCome) {
-  World world = world_of_rooms();
+  World world = three_rooms();
   const WidestPath widest = world.widest_path({5, 5}, {15, 6}).value();
   const std::size_t bridges = world.memory().bridges;
   world.insert_point({10, 5.5}, 10).value();
@@ -351,13 +351,13 @@ TEST(WidestPath, IgnoresLooseCornersBeforeAndAfterTheyCome) {
 }
 
 TEST(Clearance, QueriesRefuseWrongArguments) {
-  const World world = world_of_rooms();
+  const World world = three_rooms();
   const World without = World::create({{0, 0}, {20, 10}}).value();
   const auto fit_code = [&](Point centre, double radius) { return world.fit_disc(centre, radius).error().code; };
   EXPECT_EQ(fit_code({21, 1}, 1), ErrorCode::out_of_domain);
-  EXPECT_EQ(fit_code({kInfinity, 1}, 1), ErrorCode::coordinate_range);
+  EXPECT_EQ(fit_code({kNoWidth, 1}, 1), ErrorCode::coordinate_range);
   EXPECT_EQ(fit_code({1, 1}, -1), ErrorCode::bad_radius);
-  EXPECT_EQ(fit_code({1, 1}, kInfinity), ErrorCode::bad_radius);
+  EXPECT_EQ(fit_code({1, 1}, kNoWidth), ErrorCode::bad_radius);
   EXPECT_EQ(fit_code({1, 1}, std::numeric_limits<double>::quiet_NaN()), ErrorCode::bad_radius);
   EXPECT_EQ(world.widest_path({1, 1}, {21, 1}).error().code, ErrorCode::out_of_domain);
   EXPECT_EQ(world.widest_path({1, 1}, {21, 1}).error().index, 1U);

@@ -83,7 +83,7 @@ void check_query(const disc::Walls& walls, const disc::Connectivity& oracle, con
   check_ta(walls, world, query, shortest);
 }
 
-void check_scene(const NamedScene& scene, bool has_point, Excess& excess) {
+void check_lengths(const NamedScene& scene, bool has_point, Excess& excess) {
   const disc::Walls walls = walls_of(scene);
   const disc::Connectivity oracle(walls);
   World world = World::create(scene.domain, {.keep_bridges = true}).value();
@@ -106,7 +106,7 @@ TEST_P(DiscTra, FindsAPathExactlyIfThereIsOne) {
   Random random(41);
   Excess excess;
   for (std::uint64_t i = 0; i < (case_count() + 4) / 5; ++i) {
-    check_scene(disc::random_scene(random, GetParam()), i % 2 != 0, excess);
+    check_lengths(disc::random_scene(random, GetParam()), i % 2 != 0, excess);
     if (testing::Test::HasFatalFailure()) FAIL() << "scene " << i;
   }
   if (excess.count == 0) return;
@@ -123,7 +123,7 @@ TEST(DiscTraTraps, HaveAPathExactlyIfThereIsOne) {
   Excess excess;
   for (std::uint64_t seed = 0; seed <= case_count() / 20; ++seed) {
     for (const NamedScene& scene : disc::trap_scenes(seed)) {
-      check_scene(scene, false, excess);
+      check_lengths(scene, false, excess);
       if (testing::Test::HasFatalFailure()) return;
     }
   }

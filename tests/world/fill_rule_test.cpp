@@ -12,7 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-constexpr Box kBox{{0, 0}, {20, 20}};
+constexpr Box kTwenty{{0, 0}, {20, 20}};
 constexpr ItemId kId{7};
 
 const std::vector<Point> kOuter = {{1, 1}, {9, 1}, {9, 9}, {1, 9}};
@@ -22,7 +22,7 @@ const std::vector<Point> kInnerBack = {{3, 7}, {7, 7}, {7, 3}, {3, 3}};
 const std::vector<Point> kStar = {{10, 18}, {5, 3}, {18, 12}, {2, 12}, {15, 3}};
 
 World world_with(const Shape& shape, bool keep_abstraction = true) {
-  World world = World::create(kBox, {.keep_abstraction = keep_abstraction}).value();
+  World world = World::create(kTwenty, {.keep_abstraction = keep_abstraction}).value();
   world.insert(shape, kId).value();
   return world;
 }
@@ -33,7 +33,7 @@ void expect_inside(const Shape& shape, const std::vector<Point>& inside, const s
   std::vector<World> worlds;
   worlds.push_back(world_with(shape));
   worlds.push_back(world_with(shape, false));
-  worlds.push_back(World::create(kBox).value());
+  worlds.push_back(World::create(kTwenty).value());
   worlds.back().insert_all(std::vector<Item>{{kId, shape}}).value();
   worlds.push_back(world_with({ItemKind::polygon, {{{2, 2}, {3, 2}, {2, 3}}}}));
   worlds.back().replace(kId, shape).value();

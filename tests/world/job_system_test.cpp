@@ -18,9 +18,9 @@
 namespace waywright::test {
 namespace {
 
-constexpr Box kBox{{0, 0}, {1 << 20, 1 << 20}};
+constexpr Box kMillion{{0, 0}, {1 << 20, 1 << 20}};
 
-Point random_point(Random& random) {
+Point random_whole_point(Random& random) {
   return {static_cast<double>(random.between(0, 1 << 20)), static_cast<double>(random.between(0, 1 << 20))};
 }
 
@@ -29,9 +29,9 @@ std::vector<Item> many_items() {
   Random random(4);
   std::vector<Item> items;
   while (items.size() < 20'000)
-    items.push_back({ItemId{items.size() + 1}, {ItemKind::point, {{random_point(random)}}}});
+    items.push_back({ItemId{items.size() + 1}, {ItemKind::point, {{random_whole_point(random)}}}});
   while (items.size() < 20'100) {
-    const Point from = random_point(random);
+    const Point from = random_whole_point(random);
     items.push_back({ItemId{items.size() + 1}, {ItemKind::segment, {{from, {from.x / 2, from.y / 3}}}}});
   }
   return items;
@@ -50,7 +50,7 @@ World world_by(JobSystem& jobs, std::size_t threads) {
     EXPECT_GE(done, last);
     last = done;
   };
-  World world = World::create(kBox).value();
+  World world = World::create(kMillion).value();
   world.insert_all(many_items(), options).value();
   EXPECT_GT(last, 0U);
   return world;
@@ -61,7 +61,8 @@ class JobSystems : public testing::Test {
   JobSystems() {
     Random random(5);
     world_.insert_all(many_items()).value();
-    while (queries_.size() < 40) queries_.push_back({.start = random_point(random), .goal = random_point(random)});
+    while (queries_.size() < 40)
+      queries_.push_back({.start = random_whole_point(random), .goal = random_whole_point(random)});
     for (const PathQuery& query : queries_) expected_.push_back(world_.find_path(query).value());
   }
 
@@ -76,7 +77,7 @@ class JobSystems : public testing::Test {
     }
   }
 
-  World world_ = World::create(kBox).value();
+  World world_ = World::create(kMillion).value();
   std::vector<PathQuery> queries_;
   std::vector<Path> expected_;
 };
@@ -143,10 +144,10 @@ class Failing final : public JobSystem {
 };
 
 TEST_F(JobSystems, ThatThrowLeaveTheWorldAsItWas) {
-  const MeshHash empty = World::create(kBox).value().mesh_hash();
+  const MeshHash empty = World::create(kMillion).value().mesh_hash();
   int failures = 0;
   for (int runs = 0;; ++runs, ++failures) {
-    World world = World::create(kBox).value();
+    World world = World::create(kMillion).value();
     Failing jobs(runs);
     BulkOptions options;
     options.threads = 3;

@@ -20,7 +20,7 @@
 namespace waywright::test {
 namespace {
 
-constexpr Box kDomain{{0, 0}, {100, 100}};
+constexpr Box kHundred{{0, 0}, {100, 100}};
 
 /// Upright segments, each from y = 5 to y = 95.
 std::vector<Item> upright(std::size_t count, std::uint64_t first_id) {
@@ -88,7 +88,7 @@ std::vector<WorldOptions> all_options() { return {{}, {.keep_abstraction = false
 
 class OperationLimit : public testing::TestWithParam<std::size_t> {
  protected:
-  World world_ = World::create(kDomain, all_options().at(GetParam())).value();
+  World world_ = World::create(kHundred, all_options().at(GetParam())).value();
 };
 
 INSTANTIATE_TEST_SUITE_P(Options, OperationLimit, testing::Range<std::size_t>(0, 3));
@@ -215,7 +215,7 @@ TEST_P(OperationLimit, LeavesTheNextIdToTheNextOperation) {
 }
 
 TEST(OperationLimitOf, AWorldIsNoneUnlessSet) {
-  World world = World::create(kDomain).value();
+  World world = World::create(kHundred).value();
   EXPECT_EQ(world.new_vertex_limit(), kNoVertexLimit);
   world.set_new_vertex_limit(3);
   World moved = std::move(world);
@@ -225,11 +225,11 @@ TEST(OperationLimitOf, AWorldIsNoneUnlessSet) {
   EXPECT_FALSE(moved.insert_points({{1, 2}, {2, 2}, {3, 2}, {4, 2}}).ok());
   moved.set_new_vertex_limit(kNoVertexLimit);
   EXPECT_TRUE(moved.insert_points({{1, 2}, {2, 2}, {3, 2}, {4, 2}}).ok());
-  EXPECT_EQ(World::create(kDomain, {.new_vertex_limit = 7}).value().new_vertex_limit(), 7U);
+  EXPECT_EQ(World::create(kHundred, {.new_vertex_limit = 7}).value().new_vertex_limit(), 7U);
 }
 
 TEST(OperationLimitOf, AWorldSaysWhatPassedWhichLimit) {
-  World world = World::create(kDomain, {.new_vertex_limit = 3}).value();
+  World world = World::create(kHundred, {.new_vertex_limit = 3}).value();
   world.insert_segment({10, 50}, {90, 50}).value();
   EXPECT_EQ(
       world.insert_polyline({{20, 40}, {30, 60}, {40, 40}}, 7).error().message(),
@@ -249,7 +249,7 @@ TEST(OperationLimitOf, AWorldSaysWhatPassedWhichLimit) {
 // A long side that would cross very many others does not cross them all before it is refused: the mesh allocates no
 // memory for vertices that the limit does not allow.
 TEST(OperationLimitOf, AWorldStopsTheOperationWhenItPassesTheLimit) {
-  World world = World::create(kDomain).value();
+  World world = World::create(kHundred).value();
   std::vector<Item> walls;
   for (std::uint64_t i = 0; i < 1000; ++i) {
     const double x = 10 + static_cast<double>(i) / 16;
@@ -258,7 +258,7 @@ TEST(OperationLimitOf, AWorldStopsTheOperationWhenItPassesTheLimit) {
   world.insert_all(walls).value();
   world.shrink_to_fit();
   const auto memory_of_refusal = [&](std::size_t limit) {
-    World fresh = World::create(kDomain).value();
+    World fresh = World::create(kHundred).value();
     fresh.insert_all(walls).value();
     fresh.set_new_vertex_limit(limit);
     const std::size_t before = fresh.memory().total();
@@ -270,7 +270,7 @@ TEST(OperationLimitOf, AWorldStopsTheOperationWhenItPassesTheLimit) {
 
 TEST(FullWorld, RefusesCrossingsThatItCannotNumber) {
   for (const WorldOptions& options : all_options()) {
-    World world = World::create(kDomain, options).value();
+    World world = World::create(kHundred, options).value();
     constexpr std::size_t n = 5;
     const std::vector<Item> items = upright(n, 1);
     expect_made(world, 4 + 2 * n, ErrorCode::too_large, std::nullopt, [&](World& w) { return w.insert_all(items); });

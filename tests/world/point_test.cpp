@@ -21,7 +21,7 @@ static_assert(-kA == Point{-3, -4});
 static_assert(kA * 2 == Point{6, 8} && 2 * kA == Point{6, 8});
 static_assert(kA / 2 == Point{1.5, 2});
 static_assert(dot(kA, kB) == 5);
-static_assert(cross({1, 0}, {0, 1}) == 1 && cross({0, 1}, {1, 0}) == -1 && cross(kA, 2 * kA) == 0);
+static_assert(cross(Point{1, 0}, Point{0, 1}) == 1 && cross(Point{0, 1}, Point{1, 0}) == -1 && cross(kA, 2 * kA) == 0);
 static_assert(squared_length(kA) == 25);
 static_assert(lerp(kA, kB, 0) == kA && lerp(kA, kB, 1) == kB && lerp(kA, kB, 0.5) == Point{1, 3});
 static_assert(comes_before({1, 9}, {2, 0}) && comes_before({1, 1}, {1, 2}) && !comes_before(kA, kA));
@@ -102,20 +102,20 @@ TEST(PointSpan, ComparesByPointsAndBecomesAVector) {
   EXPECT_NE(span, (std::vector<Point>{{1, 2}, {3, 5}}));
 }
 
-constexpr Box kBox{{1, 2}, {5, 10}};
-static_assert(kBox.width() == 4 && kBox.height() == 8 && kBox.centre() == Point{3, 6});
-static_assert(kBox.contains({1, 2}) && kBox.contains({5, 10}) && kBox.contains({3, 6}));
-static_assert(!kBox.contains({0.5, 6}) && !kBox.contains({5.5, 6}) && !kBox.contains({3, 1}) &&
-              !kBox.contains({3, 11}));
-static_assert(kBox.overlaps({{5, 10}, {6, 11}}) && kBox.overlaps({{0, 0}, {9, 20}}) && kBox.overlaps(kBox));
-static_assert(!kBox.overlaps({{5.5, 2}, {6, 10}}) && !kBox.overlaps({{-1, 2}, {0.5, 10}}));
-static_assert(!kBox.overlaps({{1, 10.5}, {5, 11}}) && !kBox.overlaps({{1, 0}, {5, 1}}));
-static_assert(kBox.expanded(1) == Box{{0, 1}, {6, 11}});
+constexpr Box kTall{{1, 2}, {5, 10}};
+static_assert(kTall.width() == 4 && kTall.height() == 8 && kTall.centre() == Point{3, 6});
+static_assert(kTall.contains({1, 2}) && kTall.contains({5, 10}) && kTall.contains({3, 6}));
+static_assert(!kTall.contains({0.5, 6}) && !kTall.contains({5.5, 6}) && !kTall.contains({3, 1}) &&
+              !kTall.contains({3, 11}));
+static_assert(kTall.overlaps({{5, 10}, {6, 11}}) && kTall.overlaps({{0, 0}, {9, 20}}) && kTall.overlaps(kTall));
+static_assert(!kTall.overlaps({{5.5, 2}, {6, 10}}) && !kTall.overlaps({{-1, 2}, {0.5, 10}}));
+static_assert(!kTall.overlaps({{1, 10.5}, {5, 11}}) && !kTall.overlaps({{1, 0}, {5, 1}}));
+static_assert(kTall.expanded(1) == Box{{0, 1}, {6, 11}});
 
 TEST(Box, GrowsToWhatItIsToContain) {
-  Box box = kBox;
+  Box box = kTall;
   box.expand({3, 3});
-  EXPECT_EQ(box, kBox);
+  EXPECT_EQ(box, kTall);
   box.expand({0, 12});
   EXPECT_EQ(box, (Box{{0, 2}, {5, 12}}));
   box.expand({7, -1});

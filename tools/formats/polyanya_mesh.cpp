@@ -16,13 +16,13 @@ namespace waywright::formats {
 
 namespace {
 
-/// An edge of a polygon, from one vertex to the next one. The polygon lies to its left.
-struct Edge {
+/// A side of a polygon, from one vertex to the next one. The polygon lies to its left.
+struct Side {
   std::size_t from = 0;
   std::size_t to = 0;
   std::int64_t polygon = 0;
   std::int64_t neighbour = -1;  ///< the polygon to its right; -1 for none
-  std::size_t offset = 0;       ///< the position of the polygon in the text
+  std::size_t offset = 0;       ///< where the polygon is in the text
 
   [[nodiscard]] std::pair<std::size_t, std::size_t> ends() const { return {from, to}; }
 };
@@ -41,9 +41,9 @@ class MeshReader {
   /// Reads a whole number from `least` to `most`.
   [[nodiscard]] std::int64_t read_integer(const std::string& expected, std::int64_t least, std::int64_t most);
   [[nodiscard]] double read_coordinate();
-  /// Checks that two polygons at one edge name each other. Requires: the edges are sorted.
+  /// Checks that two polygons at one side name each other. Requires: the sides are sorted.
   void check_neighbours() const;
-  /// Returns the rings of the edges without a neighbour. Requires: the neighbours are checked.
+  /// Returns the rings of the sides without a neighbour. Requires: the neighbours are checked.
   [[nodiscard]] std::vector<std::vector<Point>> border() const;
 
   std::size_t size_;
@@ -52,7 +52,7 @@ class MeshReader {
   std::int64_t vertex_count_ = 0;
   std::int64_t polygon_count_ = 0;
   std::vector<Point> vertices_;
-  std::vector<Edge> edges_;
+  std::vector<Side> sides_;
 };
 
 std::int64_t MeshReader::read_integer(const std::string& expected, std::int64_t least, std::int64_t most) {
@@ -102,53 +102,53 @@ void MeshReader::read_polygon(std::int64_t number) {
   const std::size_t offset = cursor_.offset();
   const auto most = static_cast<std::int64_t>(size_);
   const std::int64_t count = read_integer("the number of corners of a polygon, at least 3", 3, most);
-  const std::size_t first = edges_.size();
+  const std::size_t first = sides_.size();
   for (std::int64_t i = 0; i < count; ++i) {
     const std::int64_t vertex = read_integer(
         "a corner of the polygon: a vertex from 0 to " + std::to_string(vertex_count_ - 1), 0, vertex_count_ - 1);
-    edges_.push_back({.from = 0, .to = static_cast<std::size_t>(vertex), .polygon = number, .offset = offset});
+    sides_.push_back({.from = 0, .to = static_cast<std::size_t>(vertex), .polygon = number, .offset = offset});
   }
-  // The neighbour i is across the edge from corner i - 1 to corner i.
-  for (std::size_t i = first; i < edges_.size(); ++i)
-    edges_[i].from = edges_[i == first ? edges_.size() - 1 : i - 1].to;
-  for (std::size_t i = first; i < edges_.size(); ++i) {
-    edges_[i].neighbour = read_integer("a neighbour of the polygon, from -1 to " + std::to_string(polygon_count_ - 1),
+  // The neighbour i is across the side from corner i - 1 to corner i.
+  for (std::size_t i = first; i < sides_.size(); ++i)
+    sides_[i].from = sides_[i == first ? sides_.size() - 1 : i - 1].to;
+  for (std::size_t i = first; i < sides_.size(); ++i) {
+    sides_[i].neighbour = read_integer("a neighbour of the polygon, from -1 to " + std::to_string(polygon_count_ - 1),
                                        -1, polygon_count_ - 1);
   }
   if (progress_) progress_(cursor_.offset(), size_);
 }
 
 void MeshReader::check_neighbours() const {
-  const auto by_ends = [](const Edge& edge, const std::pair<std::size_t, std::size_t>& ends) {
-    return edge.ends() < ends;
+  const auto by_ends = [](const Side& side, const std::pair<std::size_t, std::size_t>& ends) {
+    return side.ends() < ends;
   };
-  const auto refuse_edge = [](const Edge& edge, const std::string& found) {
-    refuse(edge.offset, "polygons that share an edge to name each other",
-           found + " at the edge from vertex " + std::to_string(edge.from) + " to vertex " + std::to_string(edge.to) +
-               " of polygon " + std::to_string(edge.polygon));
+  const auto refuse_side = [](const Side& side, const std::string& found) {
+    refuse(side.offset, "polygons that share a side to name each other",
+           found + " at the side from vertex " + std::to_string(side.from) + " to vertex " + std::to_string(side.to) +
+               " of polygon " + std::to_string(side.polygon));
   };
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    const Edge& edge = edges_[i];
-    if (i > 0 && edges_[i - 1].ends() == edge.ends()) {
-      refuse_edge(edge, "polygon " + std::to_string(edges_[i - 1].polygon) + " on the same side");
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const Side& side = sides_[i];
+    if (i > 0 && sides_[i - 1].ends() == side.ends()) {
+      refuse_side(side, "polygon " + std::to_string(sides_[i - 1].polygon) + " on the same side");
     }
-    if (edge.neighbour < 0) continue;
-    const auto twin = std::lower_bound(edges_.begin(), edges_.end(), std::pair(edge.to, edge.from), by_ends);
-    const bool is_mutual = twin != edges_.end() && twin->ends() == std::pair(edge.to, edge.from) &&
-                           twin->polygon == edge.neighbour && twin->neighbour == edge.polygon;
-    if (!is_mutual) refuse_edge(edge, "the neighbour " + std::to_string(edge.neighbour) + ", which does not,");
+    if (side.neighbour < 0) continue;
+    const auto twin = std::lower_bound(sides_.begin(), sides_.end(), std::pair(side.to, side.from), by_ends);
+    const bool is_mutual = twin != sides_.end() && twin->ends() == std::pair(side.to, side.from) &&
+                           twin->polygon == side.neighbour && twin->neighbour == side.polygon;
+    if (!is_mutual) refuse_side(side, "the neighbour " + std::to_string(side.neighbour) + ", which does not,");
   }
 }
 
 std::vector<std::vector<Point>> MeshReader::border() const {
-  std::vector<Edge> open;
-  for (const Edge& edge : edges_) {
-    if (edge.neighbour < 0) open.push_back(edge);
+  std::vector<Side> open;
+  for (const Side& side : sides_) {
+    if (side.neighbour < 0) open.push_back(side);
   }
-  // At each vertex as many edges of the border start as end, because the edges of each polygon form a ring and edges
-  // with a neighbour come in pairs. So a walk along unused edges ends where it starts.
+  // At each vertex as many sides of the border start as end, because the sides of each polygon form a ring and sides
+  // with a neighbour come in pairs. So a chain of unused sides ends where it starts.
   std::vector<std::size_t> next_at(vertices_.size() + 1, 0);
-  for (const Edge& edge : open) ++next_at[edge.from + 1];
+  for (const Side& side : open) ++next_at[side.from + 1];
   for (std::size_t i = 1; i < next_at.size(); ++i) next_at[i] += next_at[i - 1];
   std::vector<bool> is_used(open.size());
   std::vector<std::vector<Point>> rings;
@@ -157,10 +157,10 @@ std::vector<std::vector<Point>> MeshReader::border() const {
     std::vector<Point>& ring = rings.emplace_back();
     std::size_t at = open[start].from;
     do {
-      const std::size_t edge = next_at[at]++;
-      is_used[edge] = true;
+      const std::size_t side = next_at[at]++;
+      is_used[side] = true;
       ring.push_back(vertices_[at]);
-      at = open[edge].to;
+      at = open[side].to;
     } while (at != open[start].from);
   }
   return rings;
@@ -171,7 +171,7 @@ Scene MeshReader::read() {
   for (std::int64_t i = 0; i < vertex_count_; ++i) read_vertex();
   for (std::int64_t i = 0; i < polygon_count_; ++i) read_polygon(i);
   if (!cursor_.at_end()) refuse(cursor_.offset(), "the end of the text after the last polygon", cursor_.found());
-  std::sort(edges_.begin(), edges_.end(), [](const Edge& a, const Edge& b) { return a.ends() < b.ends(); });
+  std::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) { return a.ends() < b.ends(); });
   check_neighbours();
   Box box{vertices_.front(), vertices_.front()};
   for (const Point& vertex : vertices_) box = with_point(box, vertex);

@@ -16,7 +16,7 @@ namespace waywright::formats {
 
 namespace {
 
-constexpr int kDeepest = 64;  // of collections in collections
+constexpr int kDeepestWkt = 64;  // of collections in collections
 
 std::string upper_case(std::string_view word) {
   std::string upper(word);
@@ -96,7 +96,7 @@ void WktReader::expect(std::string_view mark, std::string_view expected) {
 
 void WktReader::read_geometry(int depth) {
   const std::size_t offset = cursor_.offset();
-  if (depth > kDeepest) {
+  if (depth > kDeepestWkt) {
     throw Refusal{.offset = offset, .what = "collections lie in collections more than 64 deep; flatten them"};
   }
   const std::string found = cursor_.found();

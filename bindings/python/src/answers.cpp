@@ -189,7 +189,7 @@ void bind_bridges(py::module_& module) {
   const auto first = [](const BridgeList& list) { return list.bridges.empty() ? nullptr : list.bridges.data(); };
   const auto count = [](const BridgeList& list) { return static_cast<py::ssize_t>(list.bridges.size()); };
   py::class_<BridgeList>(module, "BridgeList", R"(
-The answer of World.bridges(): the straight connections between two pieces of wall at the gaps between them. Its arrays
+The answer of World.bridges(): the straight connections between two walls at the gaps between them. Its arrays
 share its memory.
 
 >>> list = world.bridges()

@@ -71,7 +71,7 @@ concept BoundToPython = kIsBoundToPython<T> || requires {
 [[nodiscard]] bool read_box(py::handle object, Box& box);
 /// Reads an id from an integer, or null from None.
 [[nodiscard]] bool read_id(py::handle object, ItemId& id);
-/// Reads the geometry of an item from a Shape, from an object with `__geo_interface__`, or from a GeoJSON object.
+/// Reads the form of an item from a Shape, from an object with `__geo_interface__`, or from a GeoJSON object.
 /// Exceptions: throws the exception of Python that says what is wrong.
 [[nodiscard]] Shape read_shape(py::handle object);
 /// The member __reduce_ex__ of classes without pickle. (By itself, Python would write objects without contents with its
@@ -80,7 +80,7 @@ concept BoundToPython = kIsBoundToPython<T> || requires {
 /// Returns a new tuple of two numbers.
 [[nodiscard]] py::handle new_pair(double x, double y);
 
-/// An argument that is the geometry of an item. It refers to a Shape of Python, or contains one that was made from
+/// An argument that is the form of an item. It refers to a Shape of Python, or contains one that was made from
 /// another geometry.
 struct ShapeArg {
   const Shape* shape = nullptr;

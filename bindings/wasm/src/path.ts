@@ -135,7 +135,7 @@ export interface WidestPath {
   readonly toItems: readonly ItemId[];
 }
 
-/** The straight connection between two pieces of wall at the gap between them. */
+/** The straight connection between two walls at the gap between them. */
 export interface Bridge {
   readonly from: Point;
   readonly to: Point;

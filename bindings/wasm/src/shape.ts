@@ -12,7 +12,7 @@ export type FillRule = 'even-odd' | 'nonzero';
 export const ITEM_KINDS = ['point', 'segment', 'polyline', 'polygon'] as const;
 export const FILL_RULES = ['even-odd', 'nonzero'] as const;
 
-/** The geometry of an item. */
+/** The form of an item. */
 export interface Shape {
   readonly kind: ItemKind;
   /** All points. The rings of a polygon follow one after the other. */

@@ -1,4 +1,4 @@
-#include "constraint/cover.hpp"
+#include "constraint/cover_finder.hpp"
 
 #include <algorithm>
 
@@ -103,7 +103,7 @@ void faces_at(const ExactTriangulation& triangulation, const locate::Located& lo
 
 // The winding number of the face is the sum over the sides that leave_domain() crosses between the face and the outside
 // of the domain. If all polygons are even-odd, the number of sides is enough.
-const std::vector<std::uint32_t>& Cover::of_face(const ExactTriangulation& triangulation, mesh::HalfEdge h) {
+const std::vector<std::uint32_t>& CoverFinder::of_face(const ExactTriangulation& triangulation, mesh::HalfEdge h) {
   crossed_.clear();
   if (!triangulation.items().has_polygons()) return crossed_;
   if (triangulation.items().has_nonzero_polygons()) {
@@ -124,7 +124,7 @@ std::int32_t winding_number(const ExactTriangulation& triangulation, mesh::HalfE
   return sum;
 }
 
-void Cover::collect_touching(const ExactTriangulation& triangulation, const locate::Located& location) {
+void CoverFinder::collect_touching(const ExactTriangulation& triangulation, const locate::Located& location) {
   touching_.clear();
   if (location.kind == locate::LocatedKind::edge) append_polygons(triangulation, location.h, touching_);
   if (location.kind == locate::LocatedKind::vertex) {
@@ -138,8 +138,8 @@ void Cover::collect_touching(const ExactTriangulation& triangulation, const loca
   keep_one_of_each(touching_);
 }
 
-const std::vector<std::uint32_t>& Cover::of_location(const ExactTriangulation& triangulation,
-                                                     const locate::Located& location) {
+const std::vector<std::uint32_t>& CoverFinder::of_location(const ExactTriangulation& triangulation,
+                                                           const locate::Located& location) {
   covering_.clear();
   if (!triangulation.items().has_polygons()) return covering_;
   collect_touching(triangulation, location);
@@ -151,8 +151,8 @@ const std::vector<std::uint32_t>& Cover::of_location(const ExactTriangulation& t
   return covering_;
 }
 
-const std::vector<std::uint32_t>& Cover::strictly_covering(const ExactTriangulation& triangulation,
-                                                           const locate::Located& location) {
+const std::vector<std::uint32_t>& CoverFinder::strictly_covering(const ExactTriangulation& triangulation,
+                                                                 const locate::Located& location) {
   collect_touching(triangulation, location);
   faces_at(triangulation, location, around_);
   covering_ = of_face(triangulation, around_.front());
@@ -161,12 +161,12 @@ const std::vector<std::uint32_t>& Cover::strictly_covering(const ExactTriangulat
   return covering_;
 }
 
-bool Cover::is_strictly_inside(const ExactTriangulation& triangulation, const locate::Located& location) {
+bool CoverFinder::is_strictly_inside(const ExactTriangulation& triangulation, const locate::Located& location) {
   return !strictly_covering(triangulation, location).empty();
 }
 
-const std::vector<mesh::HalfEdge>& Cover::open_faces(const ExactTriangulation& triangulation,
-                                                     const locate::Located& location) {
+const std::vector<mesh::HalfEdge>& CoverFinder::open_faces(const ExactTriangulation& triangulation,
+                                                           const locate::Located& location) {
   faces_at(triangulation, location, open_);
   std::erase_if(open_, [&](mesh::HalfEdge h) { return is_covered(triangulation, h); });
   return open_;

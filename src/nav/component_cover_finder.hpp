@@ -3,14 +3,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "constraint/cover.hpp"
+#include "constraint/cover_finder.hpp"
 #include "nav/abstraction.hpp"
 
 namespace waywright::nav {
 
 /// Finds the polygons that cover a position. If the world keeps an abstraction, it reads them from the components.
 /// Cost, with an abstraction: O(1) plus the size of the answer.
-class KeptCover final : public constraint::Cover {
+class ComponentCoverFinder final : public constraint::CoverFinder {
  public:
   /// Sets the abstraction from which this object reads; null for none. Requires: the abstraction exists as long as this
   /// object uses it.
@@ -20,14 +20,14 @@ class KeptCover final : public constraint::Cover {
 
   const std::vector<std::uint32_t>& of_face(const constraint::ExactTriangulation& triangulation,
                                             mesh::HalfEdge h) override {
-    if (components_ == nullptr) return Cover::of_face(triangulation, h);
+    if (components_ == nullptr) return CoverFinder::of_face(triangulation, h);
     polygons_.clear();
     components_->for_each_cover(mesh::face(h), [&](std::uint32_t polygon) { polygons_.push_back(polygon); });
     return polygons_;
   }
 
   bool is_covered(const constraint::ExactTriangulation& triangulation, mesh::HalfEdge h) override {
-    return components_ == nullptr ? Cover::is_covered(triangulation, h) : components_->is_covered(mesh::face(h));
+    return components_ == nullptr ? CoverFinder::is_covered(triangulation, h) : components_->is_covered(mesh::face(h));
   }
 
  private:

@@ -19,7 +19,7 @@ struct Solid {
 [[nodiscard]] std::vector<Solid> solids_of(const OracleScene& scene, const Grid& grid);
 
 /// The relation of a position to the rings of a polygon.
-struct Cover {
+struct RingRelation {
   bool on_boundary = false;    ///< on a side or corner
   bool inside_after = false;   ///< inside just after the position: towards larger y, or towards larger x if `across_x`
   bool inside_before = false;  ///< inside just before the position
@@ -28,6 +28,6 @@ struct Cover {
 /// Returns the relation of `position` to the polygon. `inside_after` and `inside_before` are correct if the position is
 /// not a corner and all sides through it lie on one line. If the position is not on the boundary, both are equal. With
 /// `across_x`, they describe the left and the right instead of below and above.
-[[nodiscard]] Cover cover_of(const Solid& solid, const ExactPosition& position, bool across_x = false);
+[[nodiscard]] RingRelation relation_to_rings(const Solid& solid, const ExactPosition& position, bool across_x = false);
 
 }  // namespace waywright::oracle

@@ -9,12 +9,12 @@
 namespace waywright::constraint {
 
 /// Finds the polygons that cover a face or a location. Use one object for many queries, because it keeps its memory.
-class Cover {
+class CoverFinder {
  public:
-  Cover() = default;
-  virtual ~Cover() = default;
-  Cover(Cover&&) noexcept = default;  // GCOVR_EXCL_LINE: std::optional requires it, but uses the assignment
-  Cover& operator=(Cover&&) noexcept = default;
+  CoverFinder() = default;
+  virtual ~CoverFinder() = default;
+  CoverFinder(CoverFinder&&) noexcept = default;  // GCOVR_EXCL_LINE: std::optional requires it, but uses the assignment
+  CoverFinder& operator=(CoverFinder&&) noexcept = default;
 
   /// The polygons, by slot, that cover the inside of the face of `h`, in no particular order. This implementation goes
   /// through faces to the domain's border, and its result is sorted. A subclass that stores the polygons of each face
@@ -55,13 +55,13 @@ class Cover {
   std::vector<mesh::HalfEdge> open_;
 };
 
-/// Finds the faces that meet at the location, by the half-edges and in the order that Cover::open_faces describes,
-/// without ghost faces.
+/// Finds the faces that meet at the location, by the half-edges and in the order that CoverFinder::open_faces
+/// describes, without ghost faces.
 void faces_at(const ExactTriangulation& triangulation, const locate::Located& location,
               std::vector<mesh::HalfEdge>& faces);
 
 /// The winding number of the polygon in the face of `h`. For an even-odd polygon only its parity counts. The function
-/// crosses the same edges as Cover::of_face.
+/// crosses the same edges as CoverFinder::of_face.
 [[nodiscard]] std::int32_t winding_number(const ExactTriangulation& triangulation, mesh::HalfEdge h,
                                           std::uint32_t polygon);
 

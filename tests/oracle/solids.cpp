@@ -1,4 +1,4 @@
-#include "oracle/cover.hpp"
+#include "oracle/solids.hpp"
 
 namespace waywright::oracle {
 
@@ -32,8 +32,8 @@ int turn_of(const ExactPosition& p, const ExactPosition& q, bool across_x) {
 // lies beyond the ray's line and the other does not. An end on the line does not lie beyond it, so a ray through a
 // corner counts correctly. A side through the position itself does not cross the ray that starts just after the
 // position; it crosses the ray that starts just before.
-Cover cover_of(const Solid& solid, const ExactPosition& position, bool across_x) {
-  Cover cover;
+RingRelation relation_to_rings(const Solid& solid, const ExactPosition& position, bool across_x) {
+  RingRelation relation;
   int turns_ahead = 0;
   int turns_here = 0;
   for (const auto& ring : solid.rings) {
@@ -41,7 +41,7 @@ Cover cover_of(const Solid& solid, const ExactPosition& position, bool across_x)
       const ExactPosition& p = ring[i];
       const ExactPosition& q = ring[i + 1 < ring.size() ? i + 1 : 0];
       if (on_segment(p, q, position)) {
-        cover.on_boundary = true;
+        relation.on_boundary = true;
         turns_here += turn_of(p, q, across_x);
         continue;
       }
@@ -53,9 +53,9 @@ Cover cover_of(const Solid& solid, const ExactPosition& position, bool across_x)
     }
   }
   const auto is_inside = [&](int turns) { return solid.is_nonzero ? turns != 0 : turns % 2 != 0; };
-  cover.inside_after = is_inside(turns_ahead);
-  cover.inside_before = is_inside(turns_ahead + turns_here);
-  return cover;
+  relation.inside_after = is_inside(turns_ahead);
+  relation.inside_before = is_inside(turns_ahead + turns_here);
+  return relation;
 }
 
 }  // namespace waywright::oracle
