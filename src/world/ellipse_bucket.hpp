@@ -10,7 +10,7 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
-#include "world/lane_table.hpp"
+#include "world/float_table.hpp"
 
 namespace waywright {
 
@@ -32,9 +32,9 @@ struct EllipseOfPath {
 /// The entries of a node of BoxTree: ellipses of paths. for_each_overlapping() calls visit(slot) for each ellipse that
 /// a box may meet.
 ///
-/// An update tests thousands of ellipses, and their data is rarely in the cache. So the class first tests numbers of 16
-/// bits: they say for almost all ellipses that the centre of the box lies in the ellipse, or that the box is beyond the
-/// ellipse. Only the other ellipses need a test of doubles.
+/// An update tests thousands of ellipses, and their data is rarely in the cache. So the class first tests floats: they
+/// say for almost all ellipses that the centre of the box lies in the ellipse, or that the box is beyond the ellipse.
+/// Only the other ellipses need a test of doubles.
 class EllipseBucket {
  public:
   using Value = EllipseOfPath;
@@ -47,15 +47,15 @@ class EllipseBucket {
 
   /// Adds an ellipse with its bounding box. If memory runs out, nothing changes.
   void add(const Box& bounds, const EllipseOfPath& path, Handle handle) {
-    numbers_.make_room();
+    floats_.make_room();
     if (slots_.size() == slots_.capacity()) slots_.reserve(2 * slots_.size() + 4);
     entries_.push_back({bounds, path.ellipse, handle});
     slots_.push_back(path.slot);
-    numbers_.add(row_of(path.ellipse));
+    floats_.add(row_of(path.ellipse));
   }
   /// Removes the entry `i`. The last entry takes its place.
   void remove(std::size_t i) {
-    numbers_.remove(i);
+    floats_.remove(i);
     entries_[i] = entries_.back();
     entries_.pop_back();
     slots_[i] = slots_.back();
@@ -64,53 +64,51 @@ class EllipseBucket {
 
   /// Calls visit(slot) for each ellipse that the box meets, and for a few that the box misses. Requires: the caller of
   /// add() has multiplied the length of each ellipse by at least 1 + 2^-40. This factor covers the rounding errors of
-  /// the test. The box lies in the domain.
+  /// the test.
   template <class Visit>
   void for_each_overlapping(const Box& box, const Visit& visit) const {
     const Box relative = frame_.relative(box);
-    const Point middle = 0.5 * kUnits * (relative.min + relative.max);
+    const Point middle = 0.5 * (relative.min + relative.max);
     const auto x = static_cast<float>(middle.x);
     const auto y = static_cast<float>(middle.y);
     // Let p be a position of the box. The sum of the distances to the foci is less at p than at the centre of the box
     // by at most this number.
-    const auto nearer = static_cast<float>(kUnits * (distance(relative.min, relative.max) + FloatFrame::kError));
+    const auto nearer = static_cast<float>(distance(relative.min, relative.max) + FloatFrame::kError);
     // The loop collects the bits of several blocks before it visits their lanes, because the processor rarely predicts
     // the end of a loop over the set bits.
     for (std::size_t first = 0; first < size(); first += kBits) {
       std::uint64_t inside = 0;
       std::uint64_t unsure = 0;
       const std::size_t count =
-          std::min((size() - first + Numbers::kLanes - 1) / Numbers::kLanes, kBits / Numbers::kLanes);
+          std::min((size() - first + Floats::kLanes - 1) / Floats::kLanes, kBits / Floats::kLanes);
       for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t at = first / Numbers::kLanes + i;
-        const Numbers::Block& block = numbers_.block(at);
-        Numbers::LaneSet outside = 0;
-        Numbers::LaneSet beyond = 0;
-        for (std::size_t lane = 0; lane < Numbers::kLanes; ++lane) {
-          const auto value = [&](Field field) { return static_cast<float>(block[field][lane]); };
-          const float sum =
-              distance(value(kStartX) - x, value(kStartY) - y) + distance(value(kGoalX) - x, value(kGoalY) - y);
-          outside |= Numbers::lane_if_negative(lane, value(kInside) - 1.0F - sum);
-          beyond |= Numbers::lane_if_negative(lane, value(kBeyond) + nearer - sum);
+        const std::size_t at = first / Floats::kLanes + i;
+        const Floats::Block& block = floats_.block(at);
+        Floats::LaneSet outside = 0;
+        Floats::LaneSet beyond = 0;
+        for (std::size_t lane = 0; lane < Floats::kLanes; ++lane) {
+          const float sum = distance(block[kStartX][lane] - x, block[kStartY][lane] - y) +
+                            distance(block[kGoalX][lane] - x, block[kGoalY][lane] - y);
+          outside |= Floats::lane_if_negative(lane, block[kInside][lane] - sum);
+          beyond |= Floats::lane_if_negative(lane, block[kBeyond][lane] + nearer - sum);
         }
-        const Numbers::LaneSet near = numbers_.used_lanes(at) & ~beyond;
-        inside |= std::uint64_t{near & ~outside} << i * Numbers::kLanes;
-        unsure |= std::uint64_t{near & outside} << i * Numbers::kLanes;
+        const Floats::LaneSet near = floats_.used_lanes(at) & ~beyond;
+        inside |= std::uint64_t{near & ~outside} << i * Floats::kLanes;
+        unsure |= std::uint64_t{near & outside} << i * Floats::kLanes;
       }
-      Numbers::for_each_lane(unsure, [&](std::size_t lane) {
+      Floats::for_each_lane(unsure, [&](std::size_t lane) {
         if (may_meet(entries_[first + lane], box)) inside |= std::uint64_t{1} << lane;
       });
-      Numbers::for_each_lane(inside, [&](std::size_t lane) { visit(slots_[first + lane]); });
+      Floats::for_each_lane(inside, [&](std::size_t lane) { visit(slots_[first + lane]); });
     }
   }
 
  private:
-  /// The numbers of an ellipse: its foci, and two bounds of the sum of the distances from a position to the foci. If
-  /// the sum is at most `kInside` - 1, the position is in the ellipse. If the sum is larger than `kBeyond`, the
-  /// position is not in the ellipse. The unit of these lengths is the longer side of the domain divided by kUnits. So
-  /// the sum of the distances from a position in the domain to two foci in the domain is less than kLargestNumber.
+  /// The floats of an ellipse: its foci, and two bounds of the sum of the distances from a position to the foci. If the
+  /// sum is at most `kInside`, the position is in the ellipse. If the sum is larger than `kBeyond`, the position is not
+  /// in the ellipse.
   enum Field : std::uint8_t { kStartX, kStartY, kGoalX, kGoalY, kInside, kBeyond, kFieldCount };
-  using Numbers = LaneTable<std::uint16_t, kFieldCount>;
+  using Floats = FloatTable<kFieldCount>;
 
   struct Entry {
     Box bounds;
@@ -121,30 +119,22 @@ class EllipseBucket {
   static float distance(float dx, float dy) { return std::sqrt(dx * dx + dy * dy); }
   static double distance(const Point& a, const Point& b) { return waywright::distance(a, b); }
 
-  /// Returns the numbers of an ellipse. The rounding of a coordinate of a focus has an error of at most 1/2. So the
-  /// error of a distance is at most the square root of 1/2, and the error of the sum is less than kSumError, with the
-  /// errors of the floats.
-  [[nodiscard]] Numbers::Row row_of(const Ellipse& ellipse) const {
-    constexpr double kSumError = 1.5;
-    const auto to_number = [](double v) { return static_cast<std::uint16_t>(std::clamp(v, 0.0, kLargestNumber)); };
-    const auto is_in_domain = [](const Point& p) {
-      return std::min(p.x, p.y) >= -FloatFrame::kError && std::max(p.x, p.y) <= 1.0 + FloatFrame::kError;
-    };
+  /// Returns the floats of an ellipse. The errors of the coordinates make the sum of the distances wrong by at most
+  /// FloatFrame::kError, because a box lies in the domain.
+  [[nodiscard]] Floats::Row row_of(const Ellipse& ellipse) const {
     const Point start = frame_.relative(ellipse.start);
     const Point goal = frame_.relative(ellipse.goal);
-    double inside = kUnits * frame_.relative(ellipse.length) - kSumError + 1.0;
-    double beyond = kUnits * frame_.relative(ellipse.length + 3.0 * ellipse.reach) + kSumError;
-    if (!is_in_domain(start) || !is_in_domain(goal)) {
-      inside = 0.0;
-      beyond = kLargestNumber;
+    const double length = frame_.relative(ellipse.length);
+    const double reach = frame_.relative(ellipse.reach);
+    double inside = length * (1.0 - FloatFrame::kError) - FloatFrame::kError;
+    double beyond = length * (1.0 + FloatFrame::kError) + 3.0 * reach + FloatFrame::kError;
+    if (FloatFrame::is_far(start) || FloatFrame::is_far(goal)) {
+      inside = -kLarge;
+      beyond = kLarge;
     }
-    const auto rounded = [&](double v) { return to_number(std::floor(kUnits * v + 0.5)); };
-    return {rounded(start.x),
-            rounded(start.y),
-            rounded(goal.x),
-            rounded(goal.y),
-            to_number(std::floor(inside)),
-            to_number(std::ceil(beyond))};
+    const auto to_float = [](double v) { return static_cast<float>(std::clamp(v, -kLarge, kLarge)); };
+    return {to_float(start.x), to_float(start.y), to_float(goal.x),
+            to_float(goal.y),  to_float(inside),  to_float(beyond)};
   }
 
   static double squared_distance(const Box& box, double reach, const Point& p) {
@@ -168,11 +158,10 @@ class EllipseBucket {
   }
 
   static constexpr std::size_t kBits = 64;
-  static constexpr double kUnits = 0x1p14;
-  static constexpr double kLargestNumber = 0xffff;
+  static constexpr double kLarge = 0x1p100;
 
   FloatFrame frame_;
-  Numbers numbers_;
+  Floats floats_;
   std::vector<std::uint32_t> slots_;  ///< of the paths
   std::vector<Entry> entries_;
 };

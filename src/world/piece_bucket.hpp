@@ -8,7 +8,7 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
-#include "world/lane_table.hpp"
+#include "world/float_table.hpp"
 
 namespace waywright {
 
@@ -23,7 +23,7 @@ struct Piece {
 };
 
 /// The entries of a node of BoxTree: pieces of paths with their bounding boxes. for_each_overlapping() calls
-/// visit(piece, its bounding box) for each piece that may meet a given box. It first tests floats: see LaneTable.
+/// visit(piece, its bounding box) for each piece that may meet a given box. It first tests floats: see FloatTable.
 class PieceBucket {
  public:
   using Value = Piece;
@@ -84,7 +84,7 @@ class PieceBucket {
   /// The floats of a piece: the centre of its box, half the width and half the height of the box, and a bound of the
   /// rounding errors of the test of the diagonal. The height is negative if the diagonal falls.
   enum Field : std::uint8_t { kX, kY, kWidth, kHeight, kSlack, kFieldCount };
-  using Floats = LaneTable<float, kFieldCount>;
+  using Floats = FloatTable<kFieldCount>;
 
   struct Entry {
     Box box;

@@ -59,5 +59,24 @@ TEST(EllipseBucket, VisitsEachEllipseThatABoxMeets) {
   }
 }
 
+// The ellipse of a straight path is a segment, apart from rounding errors.
+TEST(EllipseBucket, VisitsTheEllipseOfAStraightPathAtEachPositionOfThePath) {
+  const Box domain{{0.0, 0.0}, {100.0, 100.0}};
+  Random random(12);
+  for (std::uint32_t i = 0; i < 20000; ++i) {
+    EllipseBucket bucket(domain);
+    const Point start = random_point(random);
+    const Point goal = i % 3 == 0 ? start + Point{1e-3, 1e-4} * static_cast<double>(i % 7) : random_point(random);
+    bucket.add(domain, {{start, goal, distance(start, goal) * (1.0 + 0x1p-30), 0.0}, i}, i);
+    const double share = static_cast<double>(random.below(1000)) / 1000.0;
+    for (const double t : {0.0, share, share * 0x1p-10, 1.0 - share * 0x1p-10, share * 0x1p-20, 1.0}) {
+      const Point p = lerp(start, goal, t);
+      std::uint32_t visited = 0;
+      bucket.for_each_overlapping({p, p}, [&](std::uint32_t) { ++visited; });
+      ASSERT_EQ(visited, 1U) << "ellipse " << i << " at the share " << t;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace waywright::test

@@ -40,6 +40,10 @@ class FloatFrame {
   /// kError, and a bound of the rounding errors of positions in the domain. It is large if the domain is small and far
   /// from (0, 0).
   [[nodiscard]] double slack() const { return slack_; }
+  /// Returns whether relative(p) has been cut off.
+  [[nodiscard]] static bool is_far(const Point& relative) {
+    return std::max(std::abs(relative.x), std::abs(relative.y)) >= kLargest;
+  }
 
  private:
   Point origin_;
@@ -47,14 +51,14 @@ class FloatFrame {
   double slack_;
 };
 
-/// Rows of `kFields` numbers, in blocks of lanes. A test of all rows computes several lanes at once, and reads little
-/// memory.
-template <class Number, std::size_t kFields>
-class LaneTable {
+/// Rows of `kFields` floats, in blocks of lanes. A test of all rows computes several lanes at
+/// once, and reads little memory.
+template <std::size_t kFields>
+class FloatTable {
  public:
   static constexpr std::size_t kLanes = 16;
-  using Lanes = std::array<Number, kLanes>;
-  using Row = std::array<Number, kFields>;
+  using Lanes = std::array<float, kLanes>;
+  using Row = std::array<float, kFields>;
   using Block = std::array<Lanes, kFields>;
   /// A set of lanes: bit i stands for lane i.
   using LaneSet = std::uint32_t;
