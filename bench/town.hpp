@@ -18,11 +18,11 @@ namespace waywright::bench {
 class Town {
  public:
   explicit Town(std::size_t vertices)
-      : side_(2 * static_cast<std::size_t>(std::sqrt(static_cast<double>(vertices) / 12))) {
-    const double width = kSquare * static_cast<double>(side_);
+      : row_length_(2 * static_cast<std::size_t>(std::sqrt(static_cast<double>(vertices) / 12))) {
+    const double width = kSquare * static_cast<double>(row_length_);
     world_ = World::create({{0, 0}, {width, width}}).value();
     std::vector<Item> items;
-    for (std::size_t square = 0; square < side_ * side_; ++square) {
+    for (std::size_t square = 0; square < row_length_ * row_length_; ++square) {
       if (is_built(square)) items.push_back({{square + 1}, building(square)});
     }
     world_.insert_all(items).value();
@@ -32,8 +32,8 @@ class Town {
 
   /// Returns the move of a random polygon within its square.
   [[nodiscard]] Change random_move() {
-    std::size_t square = random_.below(side_ * side_);
-    while (!is_built(square)) square = random_.below(side_ * side_);
+    std::size_t square = random_.below(row_length_ * row_length_);
+    while (!is_built(square)) square = random_.below(row_length_ * row_length_);
     return Change::replace({square + 1}, building(square));
   }
 
@@ -45,26 +45,29 @@ class Town {
 
   /// Returns a query between two squares without a polygon that are at most 16 squares apart along each axis.
   [[nodiscard]] PathQuery random_query(Random& random) const {
-    const std::size_t x = random.below(side_ - 16);
-    const std::size_t y = random.below(side_ - 16);
+    const std::size_t x = random.below(row_length_ - 16);
+    const std::size_t y = random.below(row_length_ - 16);
     return {.start = empty_position(x, y), .goal = empty_position(x + random.below(16), y + random.below(16))};
   }
 
  private:
   static constexpr double kSquare = 64;
 
-  [[nodiscard]] bool is_built(std::size_t square) const { return (square % side_ + square / side_) % 2 == 0; }
+  [[nodiscard]] bool is_built(std::size_t square) const {
+    return (square % row_length_ + square / row_length_) % 2 == 0;
+  }
   [[nodiscard]] static Point empty_position(std::size_t x, std::size_t y) {
     return {kSquare * (static_cast<double>(x + (x + y + 1) % 2) + 0.5), kSquare * (static_cast<double>(y) + 0.5)};
   }
   [[nodiscard]] Shape building(std::size_t square) {
     const std::size_t corners = 4 + random_.below(5);
-    const Point corner{kSquare * static_cast<double>(square % side_), kSquare * static_cast<double>(square / side_)};
+    const Point corner{kSquare * static_cast<double>(square % row_length_),
+                       kSquare * static_cast<double>(square / row_length_)};
     return random_building(random_, corner, kSquare, corners);
   }
 
   Random random_{1};
-  std::size_t side_;  ///< the number of squares along each axis
+  std::size_t row_length_;  ///< the number of squares along each axis
   World world_ = World::create({{0, 0}, {1, 1}}).value();
 };
 

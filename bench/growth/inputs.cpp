@@ -158,21 +158,21 @@ void at_one_position_removed(std::size_t n, Meter& meter) {
 
 // A vertex with many edges.
 
-std::vector<Shape> spokes(std::size_t n) {
+std::vector<Shape> fan(std::size_t n) {
   std::vector<Shape> shapes;
   for (const Point& end : circle(900, n)) shapes.push_back(Shape::segment({0, 0}, end));
   shuffle(shapes);
   return shapes;
 }
 
-void spokes_inserted(std::size_t n, Meter& meter) {
+void fan_inserted(std::size_t n, Meter& meter) {
   World world = World::create(kGrowthDomain).value();
-  measure_insertion(world, spokes(n), meter);
+  measure_insertion(world, fan(n), meter);
 }
 
-void spokes_removed(std::size_t n, Meter& meter) {
+void fan_removed(std::size_t n, Meter& meter) {
   World world = World::create(kGrowthDomain).value();
-  for (const Shape& shape : spokes(n)) static_cast<void>(world.insert(shape).value());
+  for (const Shape& shape : fan(n)) static_cast<void>(world.insert(shape).value());
   std::vector<ItemId> ids = ids_up_to(n);
   shuffle(ids);
   measure_removal(world, ids, meter);
@@ -393,8 +393,8 @@ constexpr Input kInputs[] = {
     {"identical_polygons_removed", 3000, false, "n identical polygons, removed", identical_polygons_removed},
     {"at_one_position_removed", 20000, false, "n points at one position, removed oldest first",
      at_one_position_removed},
-    {"spokes_inserted", 10000, false, "n segments that end at one vertex, inserted", spokes_inserted},
-    {"spokes_removed", 10000, false, "n segments that end at one vertex, removed", spokes_removed},
+    {"fan_inserted", 10000, false, "n segments that end at one vertex, inserted", fan_inserted},
+    {"fan_removed", 10000, false, "n segments that end at one vertex, removed", fan_removed},
     {"one_crossing_inserted", 4000, false, "n segments through one crossing, inserted", one_crossing_inserted},
     {"one_crossing_removed", 1000, false, "n segments through one crossing, removed", one_crossing_removed},
     {"hub_removed", 10000, false, "a vertex with n neighbours, removed", hub_removed},

@@ -26,8 +26,11 @@ class Town {
  public:
   /// Makes a town with about `vertices` vertices: the corners of buildings or, if `are_points` is true, mostly points.
   Town(std::size_t vertices, bool are_points)
-      : random_(1), side_(side_of(are_points ? vertices / 16 : vertices)), ids_(side_ * side_), corners_(ids_.size()) {
-    const double width = kSquare * static_cast<double>(side_);
+      : random_(1),
+        row_length_(row_length_of(are_points ? vertices / 16 : vertices)),
+        ids_(row_length_ * row_length_),
+        corners_(ids_.size()) {
+    const double width = kSquare * static_cast<double>(row_length_);
     world_ = World::create({{0, 0}, {width, width}}).value();
     std::vector<Item> items;
     for (std::size_t square = 0; square < ids_.size(); ++square) free_.push_back(square);
@@ -72,7 +75,7 @@ class Town {
 
  private:
   /// The number of squares along each axis: half of the squares have a building with 6 corners on average.
-  static std::size_t side_of(std::size_t vertices) {
+  static std::size_t row_length_of(std::size_t vertices) {
     return static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(vertices) / 3)));
   }
 
@@ -110,10 +113,10 @@ class Town {
   }
 
   [[nodiscard]] Point corner_of(std::size_t square) const {
-    return {kSquare * static_cast<double>(square % side_), kSquare * static_cast<double>(square / side_)};
+    return {kSquare * static_cast<double>(square % row_length_), kSquare * static_cast<double>(square / row_length_)};
   }
   [[nodiscard]] Point anywhere() {
-    const double width = kSquare * static_cast<double>(side_);
+    const double width = kSquare * static_cast<double>(row_length_);
     return {width * random_.unit(), width * random_.unit()};
   }
   [[nodiscard]] Point position_in(std::size_t square) {
@@ -126,7 +129,7 @@ class Town {
 
   /// Returns a position in a free square at most kReach squares from the start, along each axis.
   [[nodiscard]] Point goal_near(const Point& start) {
-    const auto side = static_cast<std::int64_t>(side_);
+    const auto side = static_cast<std::int64_t>(row_length_);
     for (;;) {
       const auto x = static_cast<std::int64_t>(start.x / kSquare) +
                      static_cast<std::int64_t>(random_.below(2 * kReach + 1)) - kReach;
@@ -139,7 +142,7 @@ class Town {
   }
 
   Random random_;
-  std::size_t side_;                       ///< the number of squares along each axis
+  std::size_t row_length_;                 ///< the number of squares along each axis
   std::vector<ItemId> ids_;                ///< by square: of its building, or null
   std::vector<std::size_t> corners_;       ///< by square: of its building
   std::vector<std::size_t> free_, built_;  ///< squares

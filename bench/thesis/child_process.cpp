@@ -35,7 +35,7 @@ void write_result(int pipe, const void* result, std::size_t size) {
   if (write(pipe, result, size) != static_cast<ssize_t>(size)) _exit(1);
 }
 
-std::string run_in_child(void (*job)(void* context, int pipe), void* context, double seconds, void* result,
+std::string run_in_child(void (*job)(void* data, int pipe), void* data, double seconds, void* result,
                          std::size_t size) {
   int pipe_ends[2];
   if (pipe(pipe_ends) != 0) return "no pipe";
@@ -47,7 +47,7 @@ std::string run_in_child(void (*job)(void* context, int pipe), void* context, do
     limit(RLIMIT_AS, kBytes);
     limit(RLIMIT_CORE, 0);
     std::set_terminate([] { _exit(kThrew); });
-    job(context, pipe_ends[1]);
+    job(data, pipe_ends[1]);
     _exit(0);
   }
   close(pipe_ends[1]);

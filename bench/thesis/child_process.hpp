@@ -10,10 +10,9 @@ namespace waywright::bench {
 
 namespace detail {
 
-/// Calls `job(context, pipe)` in a child process and waits until the process ends. `result` receives the `size` bytes
+/// Calls `job(data, pipe)` in a child process and waits until the process ends. `result` receives the `size` bytes
 /// that `job` wrote into the pipe. Returns what went wrong, or an empty text.
-std::string run_in_child(void (*job)(void* context, int pipe), void* context, double seconds, void* result,
-                         std::size_t size);
+std::string run_in_child(void (*job)(void* data, int pipe), void* data, double seconds, void* result, std::size_t size);
 void write_result(int pipe, const void* result, std::size_t size);
 
 }  // namespace detail
@@ -30,8 +29,8 @@ struct Outcome {
 template <class Job, class Result = std::invoke_result_t<Job>>
 [[nodiscard]] Outcome<Result> run_in_child(double seconds, Job job) {
   static_assert(std::is_trivially_copyable_v<Result>, "a result goes through a pipe");
-  const auto run = [](void* context, int pipe) {
-    const Result result = (*static_cast<Job*>(context))();
+  const auto run = [](void* data, int pipe) {
+    const Result result = (*static_cast<Job*>(data))();
     detail::write_result(pipe, &result, sizeof result);
   };
   Result result{};

@@ -17,9 +17,9 @@ using Uses = std::uint32_t;
 /// once. An undo log records all changes; roll_back() returns to the last begin().
 ///
 /// A longer list is a search tree by user. The hash of a user is its priority: no node has a child of higher priority.
-/// So the shape of a tree depends only on its users. Source: Seidel and Aragon, *Randomized search trees*, Algorithmica
-/// 1996. Cost: expected O(log n) for add(), remove() and contains() in a list of n users; O(n) for copy(), release()
-/// and for_each().
+/// So the structure of a tree depends only on its users. Source: Seidel and Aragon, *Randomized search trees*,
+/// Algorithmica 1996. Cost: expected O(log n) for add(), remove() and contains() in a list of n users; O(n) for copy(),
+/// release() and for_each().
 class UseLists {
  public:
   static constexpr Uses kNone = 0;

@@ -24,7 +24,7 @@ constexpr double kLeastPanel = 48.0;  // least height of the band that contains 
 constexpr double kTickStrip = 24.0;   // height of the labels of x below the map
 constexpr double kLeastSpacingX = 70.0;
 constexpr double kLeastSpacingY = 48.0;
-constexpr double kRoomy = 480.0;  // from this width on, title and legend start at the left edge of the map
+constexpr double kRoomy = 480.0;  // from this width on, title and legend start at the left border of the map
 
 std::string text_of(const Box& box) {
   std::string text = "(";

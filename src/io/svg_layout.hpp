@@ -13,8 +13,8 @@ namespace waywright::io {
 struct Layout {
   SvgFrame frame;             ///< where the map lies, and its scale
   double width = 0.0;         ///< the width of the picture
-  double text_left = 0.0;     ///< the left edge of the title and of the legend
-  double legend_top = 0.0;    ///< the upper edge of the legend: the map and the labels of its ticks lie above it
+  double text_left = 0.0;     ///< the left end of the title and of the legend
+  double legend_top = 0.0;    ///< the top of the legend: the map and the labels of its ticks lie above it
   std::vector<Tick> x_ticks;  ///< the ticks below the map
   std::vector<Tick> y_ticks;  ///< the ticks on the left of the map
 };

@@ -13,7 +13,7 @@ namespace waywright::io {
 
 /// A group of elements that lie over the world.
 struct OverlayDrawing {
-  std::string clipped;  ///< elements that are cut at the edge of the map
+  std::string clipped;  ///< elements that are cut at the border of the map
   std::string whole;    ///< elements that are drawn over the clipped ones and not cut
   std::vector<LegendEntry> entries;
 };

@@ -170,14 +170,14 @@ class QueryDrawer {
 
   void add_location_entries(const std::array<std::size_t, kMarkKinds.size()>& counts) {
     constexpr std::array<std::string_view, 4> kWords{" in a face", " on an edge", " on a vertex", " in polygons"};
-    constexpr std::array<LocationKind, 4> kShapes{LocationKind::face, LocationKind::edge, LocationKind::vertex,
-                                                  LocationKind::face};
+    constexpr std::array<LocationKind, 4> kKinds{LocationKind::face, LocationKind::edge, LocationKind::vertex,
+                                                 LocationKind::face};
     for (const MarkKind kind : kMarkKinds) {
       const auto i = static_cast<std::size_t>(kind);
       if (counts[i] == 0) continue;
       std::string label = counted(counts[i], "located point", "located points");
       label += kWords[i];
-      canvas_.add_entry({position_mark(kShapes[i], {14.0, 8.0}, 1.0, {ink_of(kind)}, {}), label});
+      canvas_.add_entry({position_mark(kKinds[i], {14.0, 8.0}, 1.0, {ink_of(kind)}, {}), label});
     }
   }
 

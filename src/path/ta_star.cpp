@@ -60,7 +60,7 @@ void TaStar::leave_start_face(mesh::HalfEdge h) {
     if (!nav::PointAgent::can_cross(*mesh_, exit)) continue;
     const std::uint32_t left = tree_.add_seen(mesh_->target(exit));
     const std::uint32_t right = tree_.add_seen(mesh_->origin(exit));
-    open(exit, kNone, {TautTree::kRoot, left, right});
+    open(exit, kNone, {TautTree::kStart, left, right});
   }
 }
 
@@ -108,7 +108,7 @@ void TaStar::write_path(Path& path) const {
   path.points.push_back(ends_->goal());
   for (std::uint32_t node = best_turn_;; node = tree_.parent(node)) {
     if (tree_.point(node) != path.points.back()) path.points.push_back(tree_.point(node));
-    if (node == TautTree::kRoot) break;
+    if (node == TautTree::kStart) break;
   }
   std::reverse(path.points.begin(), path.points.end());
 }

@@ -47,7 +47,7 @@ struct TautTree::Strings {
 void TautTree::reset(const Geometry& geometry, const Point& start) {
   geometry_ = &geometry;
   nodes_.clear();
-  nodes_.push_back({Geometry::view(start), kRoot, 0.0});
+  nodes_.push_back({Geometry::view(start), kStart, 0.0});
 }
 
 std::uint32_t TautTree::add(mesh::Vertex v, std::uint32_t parent) {
@@ -57,7 +57,7 @@ std::uint32_t TautTree::add(mesh::Vertex v, std::uint32_t parent) {
 }
 
 std::uint32_t TautTree::add_seen(mesh::Vertex v) {
-  return is_at_start(*geometry_, nodes_[kRoot].position, v) ? kRoot : add(v, kRoot);
+  return is_at_start(*geometry_, nodes_[kStart].position, v) ? kStart : add(v, kStart);
 }
 
 Funnel TautTree::move_left(const Funnel& funnel, mesh::Vertex v) {

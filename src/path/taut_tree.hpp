@@ -41,7 +41,7 @@ class TautTree {
   /// The length of the string from the start to the node.
   [[nodiscard]] double length(std::uint32_t node) const { return nodes_[node].length; }
   [[nodiscard]] std::uint32_t parent(std::uint32_t node) const { return nodes_[node].parent; }
-  static constexpr std::uint32_t kRoot = 0;
+  static constexpr std::uint32_t kStart = 0;
 
  private:
   struct Node {

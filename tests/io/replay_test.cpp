@@ -7,11 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "support/random_changes.hpp"
+#include "support/small_worlds.hpp"
 
 namespace waywright::test {
 namespace {
-
-constexpr Box kTen{{0, 0}, {10, 10}};
 
 Script parse(const std::string& text) {
   Result<Script> script = parse_script(text, "log");

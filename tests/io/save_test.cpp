@@ -24,6 +24,7 @@
 
 #include "io/crc32c.hpp"
 #include "support/saved_world_oracle.hpp"
+#include "support/small_worlds.hpp"
 
 namespace waywright::test {
 namespace {
@@ -34,7 +35,6 @@ using saved_world::fixed;
 using saved_world::sealed;
 using saved_world::varint;
 
-constexpr Box kSaved{{0, 0}, {10, 10}};
 const std::string kPoint = fixed(item_hash::bits(1.0), 8) + fixed(item_hash::bits(2.0), 8);
 
 /// A few items of every kind, with ids that count up and ids that do not.
@@ -50,7 +50,7 @@ std::map<ItemId, Shape> items_of_every_kind() {
           {ItemId::kLargest - 1, Shape::polygon({{4, 4}, {4, 4}})}};
 }
 
-Contents small_contents() { return {kSaved, 1, ItemId::kLargest, items_of_every_kind()}; }
+Contents small_contents() { return {kTen, 1, ItemId::kLargest, items_of_every_kind()}; }
 
 World world_of(const Contents& contents) {
   World world = World::create(contents.domain,
@@ -87,7 +87,7 @@ void expect_malformed(const std::string& bytes, std::string_view text) {
 
 /// Returns a saved world with this header and these runs.
 std::string with_runs(std::uint64_t largest_id, std::uint64_t item_count, const std::string& runs) {
-  std::string bytes = saved_world::header({kSaved, 1, largest_id, {}});
+  std::string bytes = saved_world::header({kTen, 1, largest_id, {}});
   bytes.replace(52, 8, fixed(item_count, 8));
   return sealed(bytes + runs);
 }
@@ -115,7 +115,7 @@ TEST(Crc32c, DoesNotDependOnThePieces) {
 }
 
 TEST(SaveWorld, WritesTheBytesOfThePage) {
-  EXPECT_EQ(save(World::create(kSaved).value()), saved_world::bytes_of({kSaved, 1, 0, {}}));
+  EXPECT_EQ(save(World::create(kTen).value()), saved_world::bytes_of({kTen, 1, 0, {}}));
   EXPECT_EQ(save(world_of(small_contents())), saved_world::bytes_of(small_contents()));
   for (std::uint64_t options = 0; options < 4; ++options) {
     Contents contents = small_contents();
@@ -125,9 +125,9 @@ TEST(SaveWorld, WritesTheBytesOfThePage) {
 }
 
 TEST(SaveWorld, DividesLongRuns) {
-  Contents contents{kSaved, 1, 9000, {}};
+  Contents contents{kTen, 1, 9000, {}};
   for (int i = 1; i <= 9000; ++i) contents.items.insert({i, Shape::point({i / 1024.0, 5.0})});
-  World world = World::create(kSaved).value();
+  World world = World::create(kTen).value();
   std::vector<Point> points;
   for (const auto& [id, shape] : contents.items) points.push_back(shape.rings[0][0]);
   world.insert_points(points).value();
@@ -183,7 +183,7 @@ TEST(LoadWorld, ReadsTheFilesOfEveryVersion) {
 }
 
 TEST(LoadWorld, ContinuesTheIds) {
-  World world = World::create(kSaved).value();
+  World world = World::create(kTen).value();
   world.insert_point({1, 1}, 70).value();
   world.remove(70).value();
   World loaded = load(save(world)).value();
@@ -207,7 +207,7 @@ TEST(LoadWorld, LeavesTheStreamAfterTheWorld) {
   std::stringstream stream;
   stream << "before";
   ASSERT_TRUE(save_world(world_of(small_contents()), stream).ok());
-  ASSERT_TRUE(save_world(World::create(kSaved).value(), stream).ok());
+  ASSERT_TRUE(save_world(World::create(kTen).value(), stream).ok());
   stream << "after";
   std::string before(6, ' ');
   stream.read(before.data(), 6);
@@ -219,10 +219,10 @@ TEST(LoadWorld, LeavesTheStreamAfterTheWorld) {
 }
 
 TEST(LoadWorld, AcceptsRepeatedPointsAndShortRuns) {
-  Contents contents{kSaved, 1, 2, {{1, Shape::point({1, 2})}, {2, Shape::point({1, 2})}}};
+  Contents contents{kTen, 1, 2, {{1, Shape::point({1, 2})}, {2, Shape::point({1, 2})}}};
   const std::string runs = varint(1) + varint(8) + kPoint + varint(1) + varint(8) + kPoint;
   EXPECT_EQ(load(sealed(saved_world::header(contents) + runs)).value().item_count(), 2U);
-  contents = {kSaved, 1, 1, {{1, Shape::polyline({{1, 2}})}}};
+  contents = {kTen, 1, 1, {{1, Shape::polyline({{1, 2}})}}};
   const std::string repeated = varint(1) + varint(8 + 2) + varint(2) + kPoint + kPoint;
   EXPECT_EQ(load(sealed(saved_world::header(contents) + repeated)).value().item_count(), 1U);
 }
@@ -264,7 +264,7 @@ TEST(LoadWorld, RefusesOrUnderstandsOtherBytesWithARightChecksum) {
 }
 
 TEST(LoadWorld, RefusesHostileHeaders) {
-  const std::string header = saved_world::header({kSaved, 1, 5, {}});
+  const std::string header = saved_world::header({kTen, 1, 5, {}});
   const auto with = [&](std::size_t at, const std::string& bytes) {
     return sealed(std::string(header).replace(at, bytes.size(), bytes));
   };

@@ -8,18 +8,14 @@
 
 #include <gtest/gtest.h>
 
+#include "oracle/small_scenes.hpp"
+
 namespace waywright::oracle {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-OracleScene square(double side, std::vector<OracleItem> items = {}) {
-  return {{{0, 0}, {side, side}}, std::move(items)};
-}
-
-OracleItem segment(std::uint64_t id, OraclePoint a, OraclePoint b) { return {id, OracleKind::segment, {{a, b}}}; }
 
 // Two walls cross at (3/4, 3/4); one ends inside the domain's left side. In the quadrilateral left of the crossing, the
 // circle through (0, 1), (0, 3) and the crossing has its centre at (3/4, 2), so (3, 3) lies outside the circle.

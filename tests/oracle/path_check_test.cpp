@@ -7,27 +7,18 @@
 #include <gtest/gtest.h>
 
 #include "oracle/oracle.hpp"
+#include "oracle/small_scenes.hpp"
 
 namespace waywright::oracle {
 namespace {
 
 using ::testing::HasSubstr;
 
-OracleScene path_square(double side, std::vector<OracleItem> items) {
-  return {{{0, 0}, {side, side}}, std::move(items)};
-}
-
-OracleItem path_segment(std::uint64_t id, OraclePoint a, OraclePoint b) { return {id, OracleKind::segment, {{a, b}}}; }
-
-OracleItem box(std::uint64_t id, OraclePoint low, OraclePoint high) {
-  return {id, OracleKind::polygon, {{low, {high.x, low.y}, high, {low.x, high.y}}}};
-}
-
 std::string path_fault_of(const OracleScene& scene, const std::vector<OraclePoint>& points) {
   return check_path(scene, points).value_or("no fault");
 }
 
-const OracleScene kWall = path_square(4, {path_segment(7, {2, 0}, {2, 2})});
+const OracleScene kWall = square(4, {segment(7, {2, 0}, {2, 2})});
 
 TEST(OraclePath, MayNotPassAWall) {
   EXPECT_THAT(path_fault_of(kWall, {{1, 1}, {3, 1}}), HasSubstr("passes through a wall of item 7"));
@@ -70,7 +61,7 @@ TEST(OraclePath, MayNotSqueezeBetweenAWallAndTheDomain) {
 }
 
 TEST(OraclePath, MayNotRunThroughASolid) {
-  const OracleScene scene = path_square(8, {box(1, {2, 2}, {4, 4})});
+  const OracleScene scene = square(8, {box(1, {2, 2}, {4, 4})});
   EXPECT_THAT(path_fault_of(scene, {{1, 3}, {5, 3}}), HasSubstr("wall of item 1"));
   EXPECT_THAT(path_fault_of(scene, {{1, 1}, {2, 2}, {4, 4}, {5, 5}}), HasSubstr("(2 2)"));
   EXPECT_THAT(path_fault_of(scene, {{2, 3}, {4, 3}}), HasSubstr("inside of a solid after (2 3)"));
@@ -81,12 +72,11 @@ TEST(OraclePath, MayNotRunThroughASolid) {
 }
 
 TEST(OraclePath, MayNotPassADoubleCorner) {
-  const OracleScene boxes = path_square(8, {box(1, {2, 2}, {4, 4}), box(2, {4, 4}, {6, 6})});
+  const OracleScene boxes = square(8, {box(1, {2, 2}, {4, 4}), box(2, {4, 4}, {6, 6})});
   EXPECT_THAT(path_fault_of(boxes, {{3, 5}, {4, 4}, {5, 3}}), HasSubstr("where walls meet, (4 4)"));
   EXPECT_THAT(path_fault_of(boxes, {{3, 5}, {5, 3}}), HasSubstr("where walls meet, (4 4)"));
   EXPECT_EQ(path_fault_of(boxes, {{3, 5}, {4, 4}, {4, 5}}), "no fault");
-  const OracleScene pinched =
-      path_square(8, {{1, OracleKind::polygon, {{{2, 2}, {4, 2}, {4, 6}, {6, 6}, {6, 4}, {2, 4}}}}});
+  const OracleScene pinched = square(8, {{1, OracleKind::polygon, {{{2, 2}, {4, 2}, {4, 6}, {6, 6}, {6, 4}, {2, 4}}}}});
   EXPECT_THAT(path_fault_of(pinched, {{3, 5}, {4, 4}, {5, 3}}), HasSubstr("where walls meet, (4 4)"));
   EXPECT_THAT(path_fault_of(pinched, {{3, 5}, {5, 3}}), HasSubstr("wall of item 1"));
   EXPECT_EQ(path_fault_of(pinched, {{3, 5}, {4, 4}, {4, 5}}), "no fault");
@@ -94,23 +84,23 @@ TEST(OraclePath, MayNotPassADoubleCorner) {
 
 TEST(OraclePath, MaySlideBetweenASolidAndAWallOnlyWhereThereIsRoom) {
   // No path runs along the side that two boxes share. A path may run along the sides of a hole.
-  const OracleScene boxes = path_square(8, {box(1, {2, 2}, {4, 4}), box(2, {4, 2}, {6, 4})});
+  const OracleScene boxes = square(8, {box(1, {2, 2}, {4, 4}), box(2, {4, 2}, {6, 4})});
   EXPECT_THAT(path_fault_of(boxes, {{4, 2}, {4, 4}}), HasSubstr("inside of a solid after (4 2)"));
   EXPECT_THAT(path_fault_of(boxes, {{4, 1}, {4, 5}}), HasSubstr("where walls meet, (4 2)"));
   OracleItem ring = box(1, {1, 1}, {7, 7});
   ring.rings.push_back(box(1, {2, 2}, {6, 6}).rings.front());
-  const OracleScene hole = path_square(8, {ring});
+  const OracleScene hole = square(8, {ring});
   EXPECT_EQ(path_fault_of(hole, {{2, 2}, {2, 6}, {6, 6}, {3, 3}}), "no fault");
   EXPECT_THAT(path_fault_of(hole, {{2, 2}, {1, 1}}), HasSubstr("inside of a solid after (2 2)"));
 }
 
 TEST(OraclePath, PointsAndZeroLengthItemsAreNoWalls) {
-  const OracleScene scene = path_square(4, {{1, OracleKind::point, {{{2, 2}}}}, path_segment(2, {3, 3}, {3, 3})});
+  const OracleScene scene = square(4, {{1, OracleKind::point, {{{2, 2}}}}, segment(2, {3, 3}, {3, 3})});
   EXPECT_EQ(path_fault_of(scene, {{1, 1}, {4, 4}}), "no fault");
 }
 
 // The walls cross at (1, 2/3), which is not a pair of doubles.
-const OracleScene kCross{{{-1, -1}, {4, 4}}, {path_segment(1, {0, 0}, {3, 2}), path_segment(2, {0, 1}, {3, 0})}};
+const OracleScene kCross{{{-1, -1}, {4, 4}}, {segment(1, {0, 0}, {3, 2}), segment(2, {0, 1}, {3, 0})}};
 const OraclePoint kCrossCorner{1, 2.0 / 3.0};
 
 TEST(OraclePath, ARoundedCornerStandsForItsCrossing) {

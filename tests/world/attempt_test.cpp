@@ -12,11 +12,10 @@
 #include "support/case_count.hpp"
 #include "support/random.hpp"
 #include "support/random_scenes.hpp"
+#include "support/small_worlds.hpp"
 
 namespace waywright::test {
 namespace {
-
-World world_of_hundred() { return World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value(); }
 
 const Shape kWall = Shape::segment({50, 0}, {50, 100});
 

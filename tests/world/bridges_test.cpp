@@ -29,7 +29,7 @@ using bridge_oracle::Segment;
 using bridge_oracle::Vector;
 using Ids = std::vector<ItemId>;
 
-constexpr WorldOptions kWithBridges = {.keep_bridges = true};
+constexpr WorldOptions kKeepsBridges = {.keep_bridges = true};
 
 Rational cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
 
@@ -136,7 +136,7 @@ bool is_near(const Vector& p, const Vector& q) {
   return is_close(p.x, q.x) && is_close(p.y, q.y);
 }
 
-World world_of(const Scene& scene, const WorldOptions& options = kWithBridges) {
+World world_of(const Scene& scene, const WorldOptions& options = kKeepsBridges) {
   World world = World::create(scene.domain, options).value();
   world.insert_all(scene.items).value();
   return world;
@@ -255,7 +255,7 @@ INSTANTIATE_TEST_SUITE_P(Bridges, RandomScenes, testing::ValuesIn(kFlavours),
 
 // A square of side 2 in the middle of a square room of side 10: two feet on each side of the room.
 TEST(Bridges, OfARoomWithAPillar) {
-  World room = World::create({{0, 0}, {10, 10}}, kWithBridges).value();
+  World room = World::create({{0, 0}, {10, 10}}, kKeepsBridges).value();
   room.insert(Shape::rectangle({{4, 4}, {6, 6}}), 7).value();
   const BridgeList list = room.bridges({{-5, -5}, {15, 15}}).value();
   std::vector<Bridge> expected;
@@ -283,10 +283,10 @@ TEST(Bridges, OfARoomWithAPillar) {
 TEST(Bridges, InsideAPolygonAreNotListed) {
   const std::vector<Point> notched = {{1, 1}, {9, 1}, {9, 9}, {5, 3}, {1, 9}};
   const Box inside{{5, 1.5}, {5, 2.5}};
-  World solid = World::create({{0, 0}, {10, 10}}, kWithBridges).value();
+  World solid = World::create({{0, 0}, {10, 10}}, kKeepsBridges).value();
   solid.insert_polygon(notched).value();
   EXPECT_TRUE(solid.bridges(inside).value().bridges.empty());
-  World hollow = World::create({{0, 0}, {10, 10}}, kWithBridges).value();
+  World hollow = World::create({{0, 0}, {10, 10}}, kKeepsBridges).value();
   std::vector<Point> closed = notched;
   closed.push_back(notched.front());
   hollow.insert_polyline(closed).value();
@@ -303,7 +303,7 @@ TEST(Bridges, AreRefusedWithoutKeepingThem) {
 }
 
 TEST(Bridges, AreRefusedForABadBox) {
-  const World world = World::create({{0, 0}, {10, 10}}, kWithBridges).value();
+  const World world = World::create({{0, 0}, {10, 10}}, kKeepsBridges).value();
   EXPECT_EQ(world.bridges({{3, 0}, {2, 5}}).error().code, ErrorCode::bad_domain);
   const Result<BridgeList> list = world.bridges({{0, 0}, {std::numeric_limits<double>::infinity(), 1}});
   EXPECT_EQ(list.error().code, ErrorCode::coordinate_range);

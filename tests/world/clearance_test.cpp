@@ -18,6 +18,7 @@
 #include "support/random.hpp"
 #include "support/random_changes.hpp"
 #include "support/random_scenes.hpp"
+#include "support/small_worlds.hpp"
 
 namespace waywright::test {
 namespace {
@@ -26,8 +27,7 @@ using disc::NamedScene;
 using disc::Rational;
 using Ids = std::vector<ItemId>;
 
-constexpr double kNoWidth = std::numeric_limits<double>::infinity();
-constexpr WorldOptions kKeepBridges = {.keep_bridges = true};
+constexpr WorldOptions kWithBridges = {.keep_bridges = true};
 
 std::string fault_of(const World& world) { return world.validate().fault; }
 
@@ -45,7 +45,7 @@ TEST_P(RandomChanges, KeepTheBridgesOfARebuild) {
   for (std::uint64_t seed = 0; seed < (case_count() + 9) / 10; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const ChangeScript script = random_changes(GetParam(), seed, 120, 4 + 8 * (seed % 4));
-    World world = World::create(script.domain, kKeepBridges).value();
+    World world = World::create(script.domain, kWithBridges).value();
     Random random(seed);
     for (const Step& step : script.steps) {
       static_cast<void>(perform(world, step));
@@ -64,7 +64,7 @@ TEST_P(RandomChanges, OfWallsAloneKeepTheBridgesOfARebuild) {
   for (std::uint64_t seed = 0; seed < (case_count() + 4) / 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     ChangeScript script = random_changes(GetParam(), 1000 + seed, 120, 4 + 8 * (seed % 4));
-    World world = World::create(script.domain, kKeepBridges).value();
+    World world = World::create(script.domain, kWithBridges).value();
     for (Step& step : script.steps) {
       std::erase_if(step.changes, [](const Change& change) {
         return change.kind != Change::Kind::remove && !has_walls(change.shape);
@@ -79,7 +79,7 @@ TEST_P(RandomChanges, OfWallsAloneKeepTheBridgesOfARebuild) {
 TEST_P(RandomChanges, HaveTheBridgesOfABulkLoad) {
   for (std::uint64_t seed = 0; seed < (case_count() + 4) / 5; ++seed) {
     const Scene scene = random_scene(GetParam(), seed, 40);
-    World world = World::create(scene.domain, kKeepBridges).value();
+    World world = World::create(scene.domain, kWithBridges).value();
     const std::size_t half = scene.items.size() / 2;
     const std::span<const Item> items = scene.items;
     world.insert_all(items.first(half)).value();
@@ -98,8 +98,8 @@ enum class Loose : std::uint8_t { none, some };
 
 /// Returns a world of the scene's walls, in an order that depends on the seed. With loose corners, the world also has
 /// points and polygons with a ring of one corner, which must not change any answer.
-World cleared_world_of(const NamedScene& scene, Loose loose, std::uint64_t seed) {
-  World world = World::create(scene.domain, kKeepBridges).value();
+World world_of_walls(const NamedScene& scene, Loose loose, std::uint64_t seed) {
+  World world = World::create(scene.domain, kWithBridges).value();
   Random random(seed);
   std::vector<Item> items;
   for (const auto& [a, b] : scene.walls.segments) {
@@ -188,15 +188,15 @@ void check_widest(const World& world, const NamedScene& scene, const disc::Conne
     check_gap(widest, scene);
     if (testing::Test::HasFatalFailure()) return;
   } else {
-    ASSERT_EQ(widest.radius, kNoWidth);
+    ASSERT_EQ(widest.radius, kInfinity);
   }
   const Rational largest = disc::largest_at(walls_of(scene), start, goal);
   if (expected->is_limited && expected->squared_diameter < largest) {
     ASSERT_TRUE(widest.is_limited);
     ASSERT_LE(4 * square(widest.radius), expected->squared_diameter);
-    ASSERT_GT(4 * square(std::nextafter(widest.radius, kNoWidth)), expected->squared_diameter);
+    ASSERT_GT(4 * square(std::nextafter(widest.radius, kInfinity)), expected->squared_diameter);
   } else if (widest.is_limited) {
-    ASSERT_GT(4 * square(std::nextafter(widest.radius, kNoWidth)), largest);
+    ASSERT_GT(4 * square(std::nextafter(widest.radius, kInfinity)), largest);
   }
   for (const double radius : scene.radii) {
     if (!oracle.is_free(start, radius) || !oracle.is_free(goal, radius)) continue;
@@ -207,8 +207,8 @@ void check_widest(const World& world, const NamedScene& scene, const disc::Conne
 void check_fits(const NamedScene& scene, std::uint64_t seed) {
   SCOPED_TRACE(scene.name);
   const disc::Connectivity oracle(walls_of(scene));
-  const World world = cleared_world_of(scene, Loose::none, seed);
-  const World other = cleared_world_of(scene, Loose::some, seed + 1);
+  const World world = world_of_walls(scene, Loose::none, seed);
+  const World other = world_of_walls(scene, Loose::some, seed + 1);
   for (const auto& [start, goal] : scene.queries) {
     SCOPED_TRACE(to_string(start) + " to " + to_string(goal));
     check_fit(world, scene, oracle, start);
@@ -221,9 +221,9 @@ void check_fits(const NamedScene& scene, std::uint64_t seed) {
 // The order of the insertions and items without walls must not change an answer.
 void check_order(const NamedScene& scene, std::uint64_t seed) {
   SCOPED_TRACE(scene.name);
-  const World world = cleared_world_of(scene, Loose::none, seed);
-  const World other = cleared_world_of(scene, Loose::none, seed + 1);
-  const World loose = cleared_world_of(scene, Loose::some, seed + 2);
+  const World world = world_of_walls(scene, Loose::none, seed);
+  const World other = world_of_walls(scene, Loose::none, seed + 1);
+  const World loose = world_of_walls(scene, Loose::some, seed + 2);
   for (const auto& [start, goal] : scene.queries) {
     const WidestPath widest = world.widest_path(start, goal).value();
     ASSERT_EQ(other.widest_path(start, goal).value(), widest);
@@ -268,7 +268,7 @@ INSTANTIATE_TEST_SUITE_P(Clearance, RandomWalls, testing::ValuesIn(disc::kSceneK
                          [](const auto& kind) { return std::string(to_string(kind.param)); });
 
 World three_rooms() {
-  World world = World::create({{0, 0}, {20, 10}}, kKeepBridges).value();
+  World world = World::create({{0, 0}, {20, 10}}, kWithBridges).value();
   world.insert_segment({10, 0}, {10, 4}, 1).value();
   world.insert_segment({10, 7}, {10, 10}, 2).value();
   world.insert(Shape::rectangle({{14, 1}, {16, 3}}), 3).value();
@@ -303,14 +303,14 @@ TEST(WidestPath, NamesTheGapAndTheItemsAtItsEnds) {
   const WidestPath widest = world.widest_path({5, 5}, {15, 6}).value();
   EXPECT_EQ(widest, (WidestPath{true, true, 1.5, {10, 4}, {10, 7}, {1}, {2}}));
   const WidestPath same = world.widest_path({5, 5}, {4, 5.5}).value();
-  EXPECT_EQ(same, (WidestPath{true, false, kNoWidth, {}, {}, {}, {}}));
+  EXPECT_EQ(same, (WidestPath{true, false, kInfinity, {}, {}, {}, {}}));
   // The gaps at the left and the right end of the rectangle are equal. Their positions decide.
   const WidestPath below = world.widest_path({15, 0.5}, {15, 6}).value();
   EXPECT_EQ(below, (WidestPath{true, true, 0.5, {16, 1}, {16, 0}, {3}, {0}}));
 }
 
 TEST(WidestPath, EndsAtTheFootOnAWallOfTheDomain) {
-  World world = World::create({{0, 0}, {20, 10}}, kKeepBridges).value();
+  World world = World::create({{0, 0}, {20, 10}}, kWithBridges).value();
   world.insert_segment({10, 0}, {10, 7}, 1).value();
   world.insert_point({10, 8}, 2).value();
   EXPECT_EQ(world.widest_path({5, 5}, {15, 5}).value(), (WidestPath{true, true, 1.5, {10, 7}, {10, 10}, {1}, {0}}));
@@ -355,9 +355,9 @@ TEST(Clearance, QueriesRefuseWrongArguments) {
   const World without = World::create({{0, 0}, {20, 10}}).value();
   const auto fit_code = [&](Point centre, double radius) { return world.fit_disc(centre, radius).error().code; };
   EXPECT_EQ(fit_code({21, 1}, 1), ErrorCode::out_of_domain);
-  EXPECT_EQ(fit_code({kNoWidth, 1}, 1), ErrorCode::coordinate_range);
+  EXPECT_EQ(fit_code({kInfinity, 1}, 1), ErrorCode::coordinate_range);
   EXPECT_EQ(fit_code({1, 1}, -1), ErrorCode::bad_radius);
-  EXPECT_EQ(fit_code({1, 1}, kNoWidth), ErrorCode::bad_radius);
+  EXPECT_EQ(fit_code({1, 1}, kInfinity), ErrorCode::bad_radius);
   EXPECT_EQ(fit_code({1, 1}, std::numeric_limits<double>::quiet_NaN()), ErrorCode::bad_radius);
   EXPECT_EQ(world.widest_path({1, 1}, {21, 1}).error().code, ErrorCode::out_of_domain);
   EXPECT_EQ(world.widest_path({1, 1}, {21, 1}).error().index, 1U);

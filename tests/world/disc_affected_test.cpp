@@ -15,14 +15,13 @@
 #include "support/disc_paths.hpp"
 #include "support/disc_scenes.hpp"
 #include "support/random.hpp"
+#include "support/small_worlds.hpp"
 
 namespace waywright::test {
 namespace {
 
-World empty_world() { return World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value(); }
-
 TEST(AffectedDiscPaths, AreNearAnItem) {
-  World world = empty_world();
+  World world = world_of_hundred();
   const Path path = world.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5}).value();
   std::uint64_t version = world.version();
   const auto is_affected_by = [&](const Shape& shape) {
@@ -43,7 +42,7 @@ TEST(AffectedDiscPaths, AreNearAnItem) {
 }
 
 TEST(AffectedDiscPaths, EndAtTheirGoal) {
-  World world = empty_world();
+  World world = world_of_hundred();
   const Path path = world.find_path({.start = {20, 20}, .goal = {50, 50}, .radius = 5}).value();
   const std::uint64_t version = world.version();
   world.insert_segment({53.6, 53.6}, {60, 60}).value();
@@ -70,7 +69,7 @@ TEST(AffectedDiscPaths, TouchTheirCorners) {
 }
 
 TEST(AffectedDiscPaths, CountReplacementsAndRemovals) {
-  World world = empty_world();
+  World world = world_of_hundred();
   world.insert_segment({50, 0}, {50, 44}, 1).value();
   world.insert_segment({50, 0}, {60, 10}, 2).value();
   const Path path = world.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5}).value();
@@ -87,7 +86,7 @@ TEST(AffectedDiscPaths, CountReplacementsAndRemovals) {
 }
 
 TEST(AffectedDiscPaths, TurnAroundCorners) {
-  World world = empty_world();
+  World world = world_of_hundred();
   world.insert_segment({50, 0}, {50, 60}, 1).value();
   const Path path = world.find_path({.start = {40, 10}, .goal = {60, 10}, .radius = 10}).value();
   const auto is_affected_by = [&](Point a, Point b) {
@@ -104,7 +103,7 @@ TEST(AffectedDiscPaths, TurnAroundCorners) {
 }
 
 TEST(AffectedDiscPaths, CanBeOnePosition) {
-  World world = empty_world();
+  World world = world_of_hundred();
   const std::vector<Path> paths{world.find_path({.start = {50, 50}, .goal = {50, 50}, .radius = 5}).value(),
                                 world.find_path({.start = {50, 50}, .goal = {50, 50}}).value()};
   const std::uint64_t version = world.version();

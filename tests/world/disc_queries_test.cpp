@@ -23,7 +23,7 @@ namespace {
 
 using disc::NamedScene;
 
-World queried_world_of(const NamedScene& scene) {
+World bridged_world_of(const NamedScene& scene) {
   World world = World::create(scene.domain, {.keep_bridges = true}).value();
   for (const auto& [a, b] : scene.walls.segments) world.insert_segment(a, b).value();
   return world;
@@ -60,7 +60,7 @@ TEST(DiscSlices, AnswerAsInOneGo) {
   for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const NamedScene scene = scene_of_seed(seed);
-    const World world = queried_world_of(scene);
+    const World world = bridged_world_of(scene);
     for (const PathQuery& query : queries_of(scene)) {
       const Path expected = world.find_path(query).value();
       search.begin(world, query).value();
@@ -87,7 +87,7 @@ TEST(DiscSlices, ImproveThePathOfTa) {
   for (std::uint64_t seed = 0; seed < std::max<std::uint64_t>(case_count(), 50); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const NamedScene scene = scene_of_seed(seed);
-    const World world = queried_world_of(scene);
+    const World world = bridged_world_of(scene);
     for (PathQuery query : queries_of(scene)) {
       query.algorithm = PathAlgorithm::ta;
       query.budget.expansions = PathBudget::kNoLimit;
@@ -116,7 +116,7 @@ TEST(DiscSlices, ImproveThePathOfTa) {
 
 TEST(DiscPathsOfTa, EndWithTheirTime) {
   const NamedScene scene = scene_of_seed(3);
-  const World world = queried_world_of(scene);
+  const World world = bridged_world_of(scene);
   std::size_t found = 0;
   for (PathQuery query : queries_of(scene)) {
     query.algorithm = PathAlgorithm::ta;
@@ -137,7 +137,7 @@ TEST(DiscSlices, AnswerForTheWorldOfTheLastSlice) {
   for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const NamedScene scene = scene_of_seed(seed);
-    World world = queried_world_of(scene);
+    World world = bridged_world_of(scene);
     Random random(seed);
     PathSearch search;
     for (const PathQuery& query : queries_of(scene)) {
@@ -165,7 +165,7 @@ TEST(DiscSlices, AnswerForTheWorldOfTheLastSlice) {
 
 TEST(DiscSlices, CanChangeBetweenPointsAndDiscs) {
   const NamedScene scene = scene_of_seed(3);
-  const World world = queried_world_of(scene);
+  const World world = bridged_world_of(scene);
   PathSearch search;
   for (PathQuery query : queries_of(scene)) {
     for (const double radius : {query.radius, 0.0}) {
@@ -257,7 +257,7 @@ TEST(DiscsFromOneStart, FindThePathsOfSingleQueries) {
   for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const NamedScene scene = scene_of_seed(seed);
-    const World world = queried_world_of(scene);
+    const World world = bridged_world_of(scene);
     std::vector<Point> goals;
     for (const auto& [start, goal] : scene.queries) goals.insert(goals.end(), {goal, start, goal});
     for (const double radius : scene.radii) {

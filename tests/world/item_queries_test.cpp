@@ -6,18 +6,17 @@
 
 #include "support/random.hpp"
 #include "support/random_scenes.hpp"
+#include "support/small_worlds.hpp"
 
 namespace waywright::test {
 namespace {
-
-constexpr Box kQueried = {{0, 0}, {10, 10}};
 
 Shape rectangle(double x0, double y0, double x1, double y1) {
   return {ItemKind::polygon, {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}};
 }
 
 World furnished_world() {
-  World world = World::create(kQueried).value();
+  World world = World::create(kTen).value();
   EXPECT_TRUE(world.insert(rectangle(2, 2, 4, 4), {1}).ok());
   EXPECT_TRUE(world.insert(rectangle(3, 3, 6, 6), {2}).ok());
   EXPECT_TRUE(world.insert_segment({0, 5}, {10, 5}, {3}).ok());

@@ -16,15 +16,14 @@
 #include "support/disc_scenes.hpp"
 #include "support/nearest_fit_oracle.hpp"
 #include "support/random.hpp"
+#include "support/small_worlds.hpp"
 
 namespace waywright::test {
 namespace {
 
 using disc::NamedScene;
 
-constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-
-World fitting_world_of(const NamedScene& scene, bool has_loose_corners) {
+World world_to_fit_in(const NamedScene& scene, bool has_loose_corners) {
   World world = World::create(scene.domain, {.keep_bridges = true}).value();
   for (const auto& [a, b] : scene.walls.segments) {
     if (!(a == b)) world.insert_segment(a, b).value();
@@ -42,7 +41,7 @@ double rounding_in(const NamedScene& scene) { return 0x1p-52 * disc::largest_coo
 class NearestChecker {
  public:
   NearestChecker(const NamedScene& scene, std::uint64_t seed)
-      : scene_(scene), walls_(walls_of(scene)), oracle_(walls_), world_(fitting_world_of(scene, seed % 2 == 1)) {}
+      : scene_(scene), walls_(walls_of(scene)), oracle_(walls_), world_(world_to_fit_in(scene, seed % 2 == 1)) {}
 
   void check(const Point& point, double radius) {
     SCOPED_TRACE("nearest " + to_string(point) + ", radius " + std::to_string(radius));
@@ -85,10 +84,10 @@ class NearestChecker {
   /// points of doubles lie among the free positions by chance. The library need not find the nearest of these.
   [[nodiscard]] bool is_alone(const Point& p, double radius) const {
     const auto next = [](double value, double towards) { return std::nextafter(value, towards); };
-    const std::array<Point, 4> around{{{next(p.x, kUnlimited), p.y},
-                                       {next(p.x, -kUnlimited), p.y},
-                                       {p.x, next(p.y, kUnlimited)},
-                                       {p.x, next(p.y, -kUnlimited)}}};
+    const std::array<Point, 4> around{{{next(p.x, kInfinity), p.y},
+                                       {next(p.x, -kInfinity), p.y},
+                                       {p.x, next(p.y, kInfinity)},
+                                       {p.x, next(p.y, -kInfinity)}}};
     return std::none_of(around.begin(), around.end(), [&](const Point& q) { return disc::is_free(walls_, q, radius); });
   }
 
@@ -177,7 +176,7 @@ TEST(NearestFit, LiesOutsidePolygons) {
   }
 }
 
-World rooms_to_fit() {
+World two_rooms() {
   World world = World::create({{0, 0}, {20, 10}}, {.keep_bridges = true}).value();
   world.insert_segment({10, 0}, {10, 4}, 1).value();
   world.insert_segment({10, 6}, {10, 10}, 2).value();
@@ -186,13 +185,13 @@ World rooms_to_fit() {
 }
 
 TEST(NearestFit, IsThePointItselfIfTheDiscFitsThere) {
-  const World world = rooms_to_fit();
+  const World world = two_rooms();
   EXPECT_EQ(world.nearest_fit({.point = {6, 5}, .radius = 2}).value(), (NearestFit{true, {6, 5}, 0}));
   EXPECT_EQ(world.nearest_fit({.point = {10, 5}, .radius = 1}).value(), (NearestFit{true, {10, 5}, 0})) << "in a gap";
 }
 
 TEST(NearestFit, KeepsTheRadiusFromWalls) {
-  const World world = rooms_to_fit();
+  const World world = two_rooms();
   EXPECT_EQ(world.nearest_fit({.point = {9.5, 2}, .radius = 1}).value(), (NearestFit{true, {9, 2}, 0.5}));
   EXPECT_EQ(world.nearest_fit({.point = {20, 10}, .radius = 1}).value().at, (Point{19, 9}));
   EXPECT_EQ(world.nearest_fit({.point = {3.75, 3}, .radius = 0.5}).value(), (NearestFit{true, {4.5, 3}, 0.75}));
@@ -202,14 +201,14 @@ TEST(NearestFit, KeepsTheRadiusFromWalls) {
 }
 
 TEST(NearestFit, StopsAtTheLimit) {
-  const World world = rooms_to_fit();
+  const World world = two_rooms();
   EXPECT_TRUE(world.nearest_fit({.point = {9.5, 2}, .radius = 1, .limit = 0.5}).value().is_found);
   EXPECT_FALSE(world.nearest_fit({.point = {9.5, 2}, .radius = 1, .limit = 0.499}).value().is_found);
   EXPECT_TRUE(world.nearest_fit({.point = {9, 2}, .radius = 1, .limit = 0}).value().is_found);
 }
 
 TEST(NearestFit, IsConnectedWithTheGoal) {
-  const World world = rooms_to_fit();
+  const World world = two_rooms();
   const auto at = [&](const Point& point, double radius, const Point& goal) {
     return world.nearest_fit({.point = point, .radius = radius, .goal = goal}).value();
   };
@@ -233,7 +232,7 @@ TEST(NearestFit, LiesBeyondAGapThatIsTooNarrowByRoundingOnly) {
 }
 
 TEST(NearestFit, OfRadiusZeroIsWhereAPathCanStart) {
-  World world = rooms_to_fit();
+  World world = two_rooms();
   const auto at = [&](const Point& point) { return world.nearest_fit({.point = point}).value(); };
   EXPECT_EQ(at({3, 2.5}), (NearestFit{true, {3, 2}, 0.5}));
   EXPECT_EQ(at({10, 2}), (NearestFit{true, {10, 2}, 0})) << "on a wall";
@@ -259,13 +258,13 @@ TEST(NearestFit, NeedsBridgesOnlyForAGoal) {
 }
 
 TEST(NearestFit, RefusesWrongArguments) {
-  const World world = rooms_to_fit();
+  const World world = two_rooms();
   const auto error = [&](const NearestFitQuery& query) { return world.nearest_fit(query).error(); };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(error({.point = {21, 1}, .radius = 1}).code, ErrorCode::out_of_domain);
-  EXPECT_EQ(error({.point = {kUnlimited, 1}, .radius = 1}).code, ErrorCode::coordinate_range);
+  EXPECT_EQ(error({.point = {kInfinity, 1}, .radius = 1}).code, ErrorCode::coordinate_range);
   EXPECT_EQ(error({.point = {1, 1}, .radius = -1}).code, ErrorCode::bad_radius);
-  EXPECT_EQ(error({.point = {1, 1}, .radius = kUnlimited}).code, ErrorCode::bad_radius);
+  EXPECT_EQ(error({.point = {1, 1}, .radius = kInfinity}).code, ErrorCode::bad_radius);
   EXPECT_EQ(error({.point = {1, 1}, .radius = 1, .limit = -1}).code, ErrorCode::bad_distance);
   EXPECT_EQ(error({.point = {1, 1}, .radius = 1, .limit = nan}).code, ErrorCode::bad_distance);
   EXPECT_EQ(error({.point = {1, 1}, .radius = 1, .goal = Point{1, 11}}).code, ErrorCode::out_of_domain);
@@ -274,7 +273,7 @@ TEST(NearestFit, RefusesWrongArguments) {
 
 // Extreme radii and coordinates.
 TEST(NearestFit, WorksWithRadiiOfAnySize) {
-  const World world = rooms_to_fit();
+  const World world = two_rooms();
   for (const double radius : {5e-324, 1e-300, 1e-100, 1e-30, 1e-17, 1e-9}) {
     const NearestFit fit = world.nearest_fit({.point = {10, 2}, .radius = radius}).value();
     ASSERT_TRUE(fit.is_found) << radius;

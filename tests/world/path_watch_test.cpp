@@ -15,6 +15,7 @@
 
 #include "support/case_count.hpp"
 #include "support/random.hpp"
+#include "support/small_worlds.hpp"
 
 namespace waywright::test {
 namespace {
@@ -22,8 +23,6 @@ namespace {
 using Keys = std::vector<std::uint64_t>;
 
 bool contains(const Keys& keys, std::uint64_t key) { return std::binary_search(keys.begin(), keys.end(), key); }
-
-World watched_world() { return World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value(); }
 
 const Shape kHouse = Shape::rectangle({{40, 40}, {60, 60}});
 
@@ -34,7 +33,7 @@ PathChanges changes_of(PathWatch& watch, const World& world) {
 }
 
 TEST(PathWatch, SaysWhichPathsAreBlocked) {
-  World world = watched_world();
+  World world = world_of_hundred();
   PathWatch watch(world);
   watch.add(7, world.find_path({.start = {10, 50}, .goal = {90, 50}}).value());
   watch.add(3, world.find_path({.start = {10, 10}, .goal = {90, 10}}).value());
@@ -49,7 +48,7 @@ TEST(PathWatch, SaysWhichPathsAreBlocked) {
 }
 
 TEST(PathWatch, SaysWhichPathsMayBeTooLong) {
-  World world = watched_world();
+  World world = world_of_hundred();
   world.insert(kHouse, 1).value();
   world.insert_segment({20, 95}, {80, 95}, 2).value();
   PathWatch watch(world);
@@ -65,7 +64,7 @@ TEST(PathWatch, SaysWhichPathsMayBeTooLong) {
 
 // The wall is beyond the ellipse, but the disc touches it from within the ellipse.
 TEST(PathWatch, KnowsHowFarADiscReaches) {
-  World world = watched_world();
+  World world = world_of_hundred();
   world.insert_segment({50, 0}, {50, 45.5}, 1).value();
   PathWatch watch(world);
   watch.add(1, world.find_path({.start = {10, 50}, .goal = {90, 50}, .radius = 5}).value());
@@ -75,7 +74,7 @@ TEST(PathWatch, KnowsHowFarADiscReaches) {
 
 // The start lies in the left one of two adjacent houses. Without the right one, a free position is nearer to it.
 TEST(PathWatch, KnowsThatANearerEndMayBeFree) {
-  World world = watched_world();
+  World world = world_of_hundred();
   world.insert(kHouse, 1).value();
   world.insert(Shape::rectangle({{60, 40}, {80, 60}}), 2).value();
   const PathQuery query{.start = {59, 50}, .goal = {59, 20}, .end_tolerance = 15.0};
@@ -95,7 +94,7 @@ TEST(PathWatch, KnowsThatARemovalCanBlockAPathAtACrossing) {
   std::size_t blocked = 0;
   for (int i = 0; i < 200; ++i) {
     const auto share = [&] { return static_cast<double>(random.below(1U << 30)) * 0x1p-30; };
-    World world = watched_world();
+    World world = world_of_hundred();
     const Point right{80, 40 + 20 * share()};
     const Point top{40 + 20 * share(), 80};
     world.insert_segment({20, 40 + 20 * share()}, right, 1).value();
@@ -125,7 +124,7 @@ TEST(PathWatch, KnowsThatARemovalCanBlockAPathAtACrossing) {
 TEST(PathWatch, KnowsOnWhichSideOfAWallAPathRuns) {
   for (const bool is_reversed : {false, true}) {
     for (const bool is_above : {false, true}) {
-      World world = watched_world();
+      World world = world_of_hundred();
       world.insert(Shape::polyline(std::vector<Point>{{30, 50}, {70, 50}, {70, 80}})).value();
       Path path;
       path.status = PathStatus::found;
@@ -145,7 +144,7 @@ TEST(PathWatch, KnowsOnWhichSideOfAWallAPathRuns) {
 }
 
 TEST(PathWatch, KnowsItsKeys) {
-  World world = watched_world();
+  World world = world_of_hundred();
   PathWatch watch(world);
   const Path path = world.find_path({.start = {10, 50}, .goal = {90, 50}}).value();
   EXPECT_FALSE(watch.remove(4));
@@ -163,7 +162,7 @@ TEST(PathWatch, KnowsItsKeys) {
 }
 
 TEST(PathWatch, ChecksAllPathsIfTheWorldHasForgottenTheBoxes) {
-  World world = watched_world();
+  World world = world_of_hundred();
   PathWatch watch(world);
   watch.add(1, world.find_path({.start = {10, 50}, .goal = {90, 50}}).value());
   watch.add(2, world.find_path({.start = {10, 10}, .goal = {90, 10}}).value());
@@ -184,7 +183,7 @@ class Agents {
 
   Agents(std::uint64_t seed, std::size_t count, Walls walls)
       : random_(seed),
-        world_(watched_world()),
+        world_(world_of_hundred()),
         watch_(world_),
         walls_(walls),
         radius_of_discs_(seed % 2 == 0 ? 0.0 : 1.0) {

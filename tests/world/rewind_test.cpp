@@ -9,10 +9,10 @@
 #include "waywright/path_search.hpp"
 #include "waywright/world.hpp"
 
+#include "support/small_worlds.hpp"
+
 namespace waywright::test {
 namespace {
-
-World world_with_bridges() { return World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value(); }
 
 std::vector<Point> row(std::size_t count, double y) {
   std::vector<Point> points;
@@ -22,7 +22,7 @@ std::vector<Point> row(std::size_t count, double y) {
 }
 
 TEST(RewindOf, ABulkLoadEmptiesTheWorld) {
-  World world = world_with_bridges();
+  World world = world_of_hundred();
   world.keep_history(2);
   const std::uint64_t tick = world.mark();
   const std::string before = world.dump();
@@ -36,7 +36,7 @@ TEST(RewindOf, ABulkLoadEmptiesTheWorld) {
 
 // The mesh that is built anew contains the items that stay.
 TEST(RewindOf, MostOfAWorldKeepsTheRest) {
-  World world = world_with_bridges();
+  World world = world_of_hundred();
   world.keep_history(2);
   world.insert(Shape::rectangle({{10, 10}, {20, 20}}), 7).value();
   world.insert_segment({50, 50}, {50, 50}, 9).value();
@@ -54,7 +54,7 @@ TEST(RewindOf, MostOfAWorldKeepsTheRest) {
 }
 
 TEST(RewindOf, ARemovedBulkLoadBringsItBack) {
-  World world = world_with_bridges();
+  World world = world_of_hundred();
   world.insert_points(row(500, 2)).value();
   const std::string before = world.dump();
   world.keep_history(2);
@@ -68,7 +68,7 @@ TEST(RewindOf, ARemovedBulkLoadBringsItBack) {
 }
 
 TEST(RewindOf, ATickCanBeRepeated) {
-  World world = world_with_bridges();
+  World world = world_of_hundred();
   world.keep_history(10);
   const std::uint64_t tick = world.mark();
   const ItemsHash before = world.items_hash();
@@ -81,7 +81,7 @@ TEST(RewindOf, ATickCanBeRepeated) {
 }
 
 TEST(RewindOf, AnUnknownTickIsRefused) {
-  World world = world_with_bridges();
+  World world = world_of_hundred();
   EXPECT_EQ(world.rewind(1).error().code, ErrorCode::no_history);
   world.keep_history(3);
   EXPECT_EQ(world.rewind(1).error().code, ErrorCode::unknown_tick);
@@ -104,7 +104,7 @@ TEST(RewindOf, AnUnknownTickIsRefused) {
 
 // An item that has moved away and back is not touched, so no path is affected.
 TEST(RewindOf, AnItemThatIsWhereItWasChangesNothing) {
-  World world = world_with_bridges();
+  World world = world_of_hundred();
   const ItemId box = world.insert(Shape::rectangle({{10, 10}, {20, 20}})).value();
   const Shape short_wall = Shape::segment({70, 70}, {70, 70});
   const ItemId wall = world.insert(short_wall).value();
@@ -121,7 +121,7 @@ TEST(RewindOf, AnItemThatIsWhereItWasChangesNothing) {
 }
 
 TEST(RewindOf, AWorldAffectsThePathsThatItTouches) {
-  World world = world_with_bridges();
+  World world = world_of_hundred();
   world.insert_segment({50, 20}, {50, 80}, 1).value();
   world.keep_history(1);
   const std::uint64_t tick = world.mark();
@@ -137,7 +137,7 @@ TEST(RewindOf, AWorldAffectsThePathsThatItTouches) {
 }
 
 TEST(RewindOf, HistoryForgetsOldTicksAndTheirMemory) {
-  World world = world_with_bridges();
+  World world = world_of_hundred();
   const ItemId box = world.insert(Shape::rectangle({{10, 10}, {20, 20}})).value();
   world.keep_history(4);
   std::size_t largest = 0;

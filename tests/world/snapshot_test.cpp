@@ -10,10 +10,10 @@
 #include "waywright/path_watch.hpp"
 #include "waywright/world.hpp"
 
+#include "support/small_worlds.hpp"
+
 namespace waywright::test {
 namespace {
-
-constexpr Box kPublished{{0, 0}, {10, 10}};
 
 // Many boxes: the world drops the oldest while replicas lag behind.
 TEST(Snapshot, KnowsTheChangesOfTheWorld) {
@@ -41,7 +41,7 @@ TEST(Snapshot, KnowsTheChangesOfTheWorld) {
 }
 
 TEST(Snapshot, IsTheSameUntilSomethingChanges) {
-  World world = World::create(kPublished).value();
+  World world = World::create(kTen).value();
   const WorldSnapshot first = world.publish();
   EXPECT_EQ(world.publish(), first);
   world.reserve_ids(7).value();
@@ -52,7 +52,7 @@ TEST(Snapshot, IsTheSameUntilSomethingChanges) {
 }
 
 TEST(Snapshot, UsesTheMemoryOfReleasedSnapshotsAgain) {
-  World world = World::create(kPublished).value();
+  World world = World::create(kTen).value();
   const World* first = nullptr;
   for (int i = 0; i < 5; ++i) {
     world.insert_point({1.0 + i, 1}).value();
@@ -67,7 +67,7 @@ TEST(Snapshot, OutlivesTheWorld) {
   WorldSnapshot snapshot;
   EXPECT_FALSE(snapshot);
   {
-    World world = World::create(kPublished).value();
+    World world = World::create(kTen).value();
     world.insert_segment({4, 0}, {4, 7}, 5).value();
     snapshot = world.publish();
   }
@@ -79,7 +79,7 @@ TEST(Snapshot, OutlivesTheWorld) {
 }
 
 TEST(Snapshot, ClonesIntoAWorldWithoutHistory) {
-  World world = World::create(kPublished).value();
+  World world = World::create(kTen).value();
   world.keep_history(3);
   world.mark();
   world.insert_point({1, 1}).value();
@@ -90,7 +90,7 @@ TEST(Snapshot, ClonesIntoAWorldWithoutHistory) {
 }
 
 TEST(Snapshot, EndsASearchWhenItsMemoryIsUsedAgain) {
-  World world = World::create(kPublished).value();
+  World world = World::create(kTen).value();
   world.insert_segment({4, 0}, {4, 7}).value();
   WorldSnapshot snapshot = world.publish();
   PathSearch search;
@@ -117,7 +117,7 @@ TEST(Snapshot, LetsAWatchReadOneAfterTheOther) {
 }
 
 TEST(Snapshot, LeavesNoMemoryAfterShrinking) {
-  World world = World::create(kPublished).value();
+  World world = World::create(kTen).value();
   for (int i = 0; i < 500; ++i) world.insert_point({i / 64.0, i % 37 / 4.0}).value();
   world.shrink_to_fit();
   const std::size_t before = world.memory().total();

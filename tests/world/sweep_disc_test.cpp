@@ -13,15 +13,14 @@
 #include "support/disc_scenes.hpp"
 #include "support/disc_sweep_oracle.hpp"
 #include "support/random.hpp"
+#include "support/small_worlds.hpp"
 
 namespace waywright::test {
 namespace {
 
 using Ids = std::vector<ItemId>;
 
-constexpr double kEndless = std::numeric_limits<double>::infinity();
-
-World swept_world_of(const disc::NamedScene& scene) {
+World numbered_world_of(const disc::NamedScene& scene) {
   World world = World::create(scene.domain).value();
   for (std::size_t i = 0; i < scene.walls.segments.size(); ++i) {
     const auto& [a, b] = scene.walls.segments[i];
@@ -36,7 +35,7 @@ double distance_to(const Point& p, const Point& q) { return std::hypot(p.x - q.x
 class SweepChecker {
  public:
   explicit SweepChecker(const disc::NamedScene& scene)
-      : world_(swept_world_of(scene)), walls_(walls_of(scene)), item_count_(scene.walls.segments.size()) {
+      : world_(numbered_world_of(scene)), walls_(walls_of(scene)), item_count_(scene.walls.segments.size()) {
     rounding_ = 0x1p-46 * disc::largest_coordinate(scene.domain);
   }
 
@@ -57,8 +56,8 @@ class SweepChecker {
     ++hits_;
     ASSERT_LE(distance_to(hit_.at, expected.centre), rounding_);
     // The contact is one of the nearest positions on the walls that the disc touches.
-    double least = kEndless;
-    double error = kEndless;
+    double least = kInfinity;
+    double error = kInfinity;
     for (const Point& contact : expected.contacts) {
       least = std::min(least, distance_to(contact, expected.centre));
       error = std::min(error, distance_to(contact, hit_.contact));
@@ -155,7 +154,7 @@ TEST(SweepDisc, AgreesWithTheOracleInTraps) {
   }
 }
 
-World walls_to_sweep() {
+World walls_with_gap() {
   World world = World::create({{0, 0}, {100, 100}}).value();
   world.insert_segment({50, 0}, {50, 60}, 1).value();
   world.insert_segment({50, 70}, {50, 100}, 2).value();
@@ -167,7 +166,7 @@ RayHit sweep(const World& world, Point from, Point to, double radius) {
 }
 
 TEST(SweepDisc, StopsAtTheFirstWall) {
-  const World world = walls_to_sweep();
+  const World world = walls_with_gap();
   EXPECT_EQ(sweep(world, {20, 30}, {80, 30}, 5), (RayHit{true, {45, 30}, Ids{1}, {50, 30}}));
   EXPECT_EQ(sweep(world, {80, 30}, {20, 30}, 5), (RayHit{true, {55, 30}, Ids{1}, {50, 30}}));
   EXPECT_EQ(sweep(world, {20, 63}, {80, 63}, 5), (RayHit{true, {46, 63}, Ids{1}, {50, 60}})) << "its end";
@@ -177,7 +176,7 @@ TEST(SweepDisc, StopsAtTheFirstWall) {
 }
 
 TEST(SweepDisc, TouchesAllWallsOfATie) {
-  const World world = walls_to_sweep();
+  const World world = walls_with_gap();
   EXPECT_EQ(sweep(world, {20, 65}, {80, 65}, 5), (RayHit{true, {50, 65}, Ids{1, 2}, {50, 60}}));
   EXPECT_EQ(sweep(world, {20, 65}, {80, 65}, std::nextafter(5, 0)), RayHit{}) << "the gap is wide enough";
   EXPECT_EQ(sweep(world, {20, 65}, {80, 65}, 13), (RayHit{true, {38, 65}, Ids{1, 2}, {50, 60}}));
@@ -185,14 +184,14 @@ TEST(SweepDisc, TouchesAllWallsOfATie) {
 }
 
 TEST(SweepDisc, TouchesAWallThatItPassesAtItsRadius) {
-  const World world = walls_to_sweep();
+  const World world = walls_with_gap();
   EXPECT_EQ(sweep(world, {55, 30}, {55, 90}, 5), (RayHit{true, {55, 30}, Ids{1}, {50, 30}}));
   EXPECT_EQ(sweep(world, {45, 64}, {55, 64}, 4), (RayHit{true, {50, 64}, Ids{1}, {50, 60}}));
   EXPECT_EQ(sweep(world, {45, 64}, {55, 64}, std::nextafter(4, 0)), RayHit{});
 }
 
 TEST(SweepDisc, ThatTouchesAtTheStartNamesAllWallsThere) {
-  const World world = walls_to_sweep();
+  const World world = walls_with_gap();
   EXPECT_EQ(sweep(world, {46, 65}, {20, 65}, 8), (RayHit{true, {46, 65}, Ids{1, 2}, {50, 60}}));
   EXPECT_EQ(sweep(world, {48, 30}, {20, 30}, 3), (RayHit{true, {48, 30}, Ids{1}, {50, 30}}));
   EXPECT_EQ(sweep(world, {50, 30}, {50, 30}, 1), (RayHit{true, {50, 30}, Ids{1}, {50, 30}})) << "on the wall";
@@ -201,13 +200,13 @@ TEST(SweepDisc, ThatTouchesAtTheStartNamesAllWallsThere) {
 }
 
 TEST(SweepDisc, OfRadiusZeroIsARay) {
-  const World world = walls_to_sweep();
+  const World world = walls_with_gap();
   EXPECT_EQ(sweep(world, {20, 30}, {80, 31}, 0), world.ray({20, 30}, {80, 31}).value());
   EXPECT_EQ(sweep(world, {20, 65}, {80, 65}, -0.0), world.ray({20, 65}, {80, 65}).value());
   for (std::uint64_t seed = 0; seed < (case_count() + 9) / 10; ++seed) {
     Random random(seed);
     const disc::NamedScene scene = disc::random_scene(random, disc::SceneKind::mixture);
-    const World random_world = swept_world_of(scene);
+    const World random_world = numbered_world_of(scene);
     for (const auto& [start, goal] : scene.queries) {
       EXPECT_EQ(sweep(random_world, start, goal, 0), random_world.ray(start, goal).value());
     }
@@ -231,7 +230,7 @@ TEST(SweepDisc, OfATinyRadiusDecidesExactly) {
 }
 
 TEST(SweepDisc, IgnoresPoints) {
-  World world = walls_to_sweep();
+  World world = walls_with_gap();
   for (int i = 1; i < 30; ++i) world.insert_point({20.0 + i, 30}).value();
   world.insert_segment({30, 33}, {30, 33}).value();
   EXPECT_EQ(sweep(world, {20, 30}, {80, 30}, 5), (RayHit{true, {45, 30}, Ids{1}, {50, 30}}));
@@ -241,7 +240,7 @@ TEST(SweepDisc, DoesNotDependOnTheOrderOfInsertions) {
   for (std::uint64_t seed = 0; seed < (case_count() + 9) / 10; ++seed) {
     Random random(seed);
     const disc::NamedScene scene = disc::random_scene(random, disc::SceneKind::lattice);
-    const World world = swept_world_of(scene);
+    const World world = numbered_world_of(scene);
     World reversed = World::create(scene.domain).value();
     for (std::size_t i = scene.walls.segments.size(); i-- > 0;) {
       const auto& [a, b] = scene.walls.segments[i];
@@ -255,11 +254,11 @@ TEST(SweepDisc, DoesNotDependOnTheOrderOfInsertions) {
 }
 
 TEST(SweepDisc, RefusesWhatItCannotUse) {
-  const World world = walls_to_sweep();
+  const World world = walls_with_gap();
   EXPECT_EQ(world.sweep_disc({-1, 5}, {5, 5}, 1).error().code, ErrorCode::out_of_domain);
   EXPECT_EQ(world.sweep_disc({1, 5}, {500, 5}, 1).error().index, 1U);
   EXPECT_EQ(world.sweep_disc({1, 5}, {5, 5}, -1).error().code, ErrorCode::bad_radius);
-  EXPECT_EQ(world.sweep_disc({1, 5}, {5, 5}, kEndless).error().code, ErrorCode::bad_radius);
+  EXPECT_EQ(world.sweep_disc({1, 5}, {5, 5}, kInfinity).error().code, ErrorCode::bad_radius);
 }
 
 }  // namespace

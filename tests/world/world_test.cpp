@@ -6,14 +6,15 @@
 
 #include <gtest/gtest.h>
 
+#include "support/small_worlds.hpp"
+
 namespace waywright::test {
 namespace {
 
 constexpr Box kFour = {{0, 0}, {4, 4}};
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kNotFinite = std::numeric_limits<double>::infinity();
 
-World new_world(const Box& domain = kFour) { return World::create(domain).value(); }
+World empty_world(const Box& domain = kFour) { return World::create(domain).value(); }
 
 /// Returns the ids on each constrained edge, as "x0,y0-x1,y1: ids".
 std::set<std::string> constraints(const World& world) {
@@ -36,7 +37,7 @@ std::set<std::string> constraints(const World& world) {
 }
 
 TEST(World, EmptyDumpIsTheBox) {
-  EXPECT_EQ(new_world().dump(),
+  EXPECT_EQ(empty_world().dump(),
             "vertices 4\n0 1 0 1\n0 1 4 1\n4 1 0 1\n4 1 4 1\n"
             "triangles 2\n0 2 3\n0 3 1\n"
             "constraints 4\n0 1 0\n0 2 0\n1 3 0\n2 3 0\n");
@@ -46,14 +47,14 @@ TEST(World, CreateRefusesWhatIsNoDomain) {
   const auto code = [](const Box& box) { return World::create(box).error().code; };
   EXPECT_EQ(code({{0, 0}, {0, 1}}), ErrorCode::bad_domain);
   EXPECT_EQ(code({{0, 1}, {1, 0}}), ErrorCode::bad_domain);
-  EXPECT_EQ(code({{0, 0}, {kNotFinite, 1}}), ErrorCode::coordinate_range);
+  EXPECT_EQ(code({{0, 0}, {kInfinity, 1}}), ErrorCode::coordinate_range);
   EXPECT_EQ(code({{kNan, 0}, {1, 1}}), ErrorCode::coordinate_range);
   EXPECT_EQ(code({{0, 0}, {0x1p101, 1}}), ErrorCode::coordinate_range);
   EXPECT_TRUE(World::create({{-0x1p100, -0x1p100}, {0x1p100, 0x1p100}}).ok());
 }
 
 TEST(World, CrossingSegmentsMeetInAVertex) {
-  World world = new_world();
+  World world = empty_world();
   ASSERT_TRUE(world.insert_segment({1, 1}, {3, 3}, {5}).ok());
   ASSERT_TRUE(world.insert_segment({1, 3}, {3, 1}, {6}).ok());
   EXPECT_EQ(world.vertex_count(), 9U);
@@ -64,7 +65,7 @@ TEST(World, CrossingSegmentsMeetInAVertex) {
 }
 
 TEST(World, OverlapsShareTheirEdges) {
-  World world = new_world();
+  World world = empty_world();
   ASSERT_TRUE(world.insert_segment({0, 2}, {3, 2}, {1}).ok());
   ASSERT_TRUE(world.insert_segment({4, 2}, {1, 2}, {2}).ok());
   ASSERT_TRUE(world.insert_segment({1, 2}, {3, 2}, {3}).ok());
@@ -77,7 +78,7 @@ TEST(World, OverlapsShareTheirEdges) {
 }
 
 TEST(World, SidesOnTheDomainBoundaryShareItsEdges) {
-  World world = new_world();
+  World world = empty_world();
   ASSERT_TRUE(world.insert_polygon(std::vector<Point>{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {7}).ok());
   const std::set<std::string> expected = {"0,0-0,4: 0 7", "0,0-4,0: 0 7", "0,4-4,4: 0 7", "4,0-4,4: 0 7"};
   EXPECT_EQ(constraints(world), expected);
@@ -86,7 +87,7 @@ TEST(World, SidesOnTheDomainBoundaryShareItsEdges) {
 }
 
 TEST(World, DegeneratePiecesActAsPoints) {
-  World world = new_world();
+  World world = empty_world();
   ASSERT_TRUE(world.insert_segment({1, 1}, {1, 1}, {1}).ok());
   ASSERT_TRUE(world.insert_polyline(std::vector<Point>{{2, 2}}, {2}).ok());
   ASSERT_TRUE(world.insert_polygon(std::vector<Point>{{3, 3}, {3, 3}, {3, 3}}, {3}).ok());
@@ -101,7 +102,7 @@ TEST(World, DegeneratePiecesActAsPoints) {
 }
 
 TEST(World, RingsThatRepeatTheirFirstPointAtTheEnd) {
-  World world = new_world();
+  World world = empty_world();
   ASSERT_TRUE(world.insert_polygon(std::vector<Point>{{1, 1}, {3, 1}, {1, 3}, {1, 1}, {1, 1}}, {1}).ok());
   EXPECT_EQ(world.shape({1}).value().rings[0], (std::vector<Point>{{1, 1}, {3, 1}, {1, 3}}));
   // A polyline may end where it starts.
@@ -111,7 +112,7 @@ TEST(World, RingsThatRepeatTheirFirstPointAtTheEnd) {
 }
 
 TEST(World, LocateReturnsKindVerticesAndPolygons) {
-  World world = new_world();
+  World world = empty_world();
   const std::vector<std::vector<Point>> rings = {{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{1, 1}, {2, 1}, {2, 2}, {1, 2}}};
   ASSERT_TRUE(world.insert_polygon(rings, {9}).ok());
   const auto inside = [&](double x, double y) { return world.locate({x, y}).value().polygons; };
@@ -136,7 +137,7 @@ TEST(World, LocateReturnsKindVerticesAndPolygons) {
 }
 
 TEST(World, RefusedInsertionsChangeNothing) {
-  World world = new_world();
+  World world = empty_world();
   ASSERT_TRUE(world.insert_point({1, 2}, {3}).ok());
   const std::string before = world.dump();
   const auto expect_refused = [&](const Result<ItemId>& result, ErrorCode code, std::uint64_t index) {
@@ -148,7 +149,7 @@ TEST(World, RefusedInsertionsChangeNothing) {
   expect_refused(world.insert_point({1, 1}, {3}), ErrorCode::id_in_use, 0);
   expect_refused(world.insert_point({1, 1}, {ItemId::kLargest + 1}), ErrorCode::bad_id, 0);
   expect_refused(world.insert_segment({1, 1}, {5, 1}), ErrorCode::out_of_domain, 1);
-  expect_refused(world.insert_segment({kNotFinite, 1}, {5, 1}), ErrorCode::coordinate_range, 0);
+  expect_refused(world.insert_segment({kInfinity, 1}, {5, 1}), ErrorCode::coordinate_range, 0);
   expect_refused(world.insert_segment({1, 1}, {1, 0x1p-101}), ErrorCode::coordinate_range, 1);
   expect_refused(world.insert_polyline({}), ErrorCode::bad_shape, 0);
   expect_refused(world.insert_polygon(std::vector<std::vector<Point>>{{{1, 1}}, {}}), ErrorCode::bad_shape, 0);
@@ -176,7 +177,7 @@ TEST(World, RefusalsSayWhichPointIsWrongAndWhereItLies) {
 }
 
 TEST(World, HandsOutIdsAfterTheLargestSeen) {
-  World world = new_world();
+  World world = empty_world();
   EXPECT_EQ(world.insert_point({1, 1}).value(), ItemId{1});
   EXPECT_EQ(world.insert_point({1, 1}, {40}).value(), ItemId{40});
   EXPECT_EQ(world.insert_point({1, 1}).value(), ItemId{41});
@@ -187,7 +188,7 @@ TEST(World, HandsOutIdsAfterTheLargestSeen) {
 }
 
 TEST(World, NegativeZeroIsZero) {
-  World world = new_world({{-0.0, -0.0}, {4, 4}});
+  World world = empty_world({{-0.0, -0.0}, {4, 4}});
   ASSERT_TRUE(world.insert_segment({-0.0, 2}, {2, -0.0}).ok());
   const Point corner = world.shape({1}).value().rings[0][0];
   EXPECT_FALSE(std::signbit(corner.x));
@@ -196,7 +197,7 @@ TEST(World, NegativeZeroIsZero) {
 }
 
 TEST(World, TrianglesCoverTheDomain) {
-  World world = new_world();
+  World world = empty_world();
   ASSERT_TRUE(world.insert_segment({0.5, 0.5}, {3.5, 2.5}).ok());
   ASSERT_TRUE(world.insert_segment({0.5, 2.5}, {3.5, 0.25}).ok());
   const MeshSnapshot mesh = world.snapshot();
@@ -213,7 +214,7 @@ TEST(World, TrianglesCoverTheDomain) {
 // The lines x = 3 y, 2 x + 7 y = 14, x + 10 y = 14 and 3 x + 4 y = 14 all run through (42/13, 14/13), which is not a
 // pair of doubles.
 TEST(World, ManySegmentsThroughOneConstructedPoint) {
-  World world = new_world({{-100, -100}, {100, 100}});
+  World world = empty_world({{-100, -100}, {100, 100}});
   ASSERT_TRUE(world.insert_segment({0, 0}, {9, 3}).ok());
   ASSERT_TRUE(world.insert_segment({0, 2}, {7, 0}).ok());
   EXPECT_EQ(world.vertex_count(), 9U);
