@@ -139,7 +139,7 @@ class TautStrings : public testing::Test {
 
 std::vector<Point> points_of(const path::TautTree& tree, std::uint32_t last) {
   std::vector<Point> points = {tree.point(last)};
-  for (; last != path::TautTree::kRoot; last = tree.parent(last)) points.push_back(tree.point(tree.parent(last)));
+  for (; last != path::TautTree::kStart; last = tree.parent(last)) points.push_back(tree.point(tree.parent(last)));
   std::reverse(points.begin(), points.end());
   return points;
 }
@@ -167,7 +167,7 @@ TEST_F(TautStrings, AreTheShortestPathsThroughTheirChannels) {
       const Vertex left = mesh.target(channel.exits[0]), right = mesh.origin(channel.exits[0]);
       string.begin(triangulation.geometry(), channel.start, left, right, channel.exits.size());
       tree.reset(triangulation.geometry(), channel.start);
-      path::Funnel funnel{path::TautTree::kRoot, tree.add_seen(left), tree.add_seen(right)};
+      path::Funnel funnel{path::TautTree::kStart, tree.add_seen(left), tree.add_seen(right)};
       for_each_move(
           mesh, channel,
           [&](Vertex v) {
