@@ -54,7 +54,7 @@ Rings rings_from(const py::object& source) {
   return rings;
 }
 
-std::string repr_of(const Shape& shape) {
+std::string repr_of_shape(const Shape& shape) {
   std::string text = "<waywright.Shape " + std::string(to_string(shape.kind));
   const std::size_t count = shape.rings.points().size();
   if (count <= 2) {
@@ -129,7 +129,7 @@ The form of an item: a point, a segment, a polyline or a polygon. It does not ch
              for (const Point& point : self.rings.points()) hash = hash * 31 + std::hash<Point>{}(point);
              return static_cast<py::ssize_t>(hash >> 1U);
            })
-      .def("__repr__", &repr_of)
+      .def("__repr__", &repr_of_shape)
       .def(py::pickle(
           [](const Shape& self) {
             const std::vector<Point> points(self.rings.points().begin(), self.rings.points().end());
@@ -174,7 +174,7 @@ One of several changes that World.apply() makes together.
            [](const Change& self) {
              std::string text = "<waywright.Change " + std::string(name_of(self.kind));
              if (!self.id.is_null()) text += " " + std::to_string(self.id.value);
-             if (self.kind != Change::Kind::remove) text += ": " + repr_of(self.shape);
+             if (self.kind != Change::Kind::remove) text += ": " + repr_of_shape(self.shape);
              return text + ">";
            })
       .def(py::pickle([](const Change& self) { return py::make_tuple(self.kind, self.id, self.shape); },

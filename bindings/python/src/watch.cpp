@@ -56,7 +56,7 @@ PathChanges update(WatchHandle& self, const SnapshotHandle* snapshot) {
   return update_from(self, *snapshot);
 }
 
-std::string repr_of(const PathChanges& changes) {
+std::string repr_of_changes(const PathChanges& changes) {
   return "<waywright.PathChanges " + std::to_string(changes.blocked.size()) + " blocked, " +
          std::to_string(changes.may_be_blocked.size()) + " may be blocked, " +
          std::to_string(changes.may_be_too_long.size()) + " may be too long>";
@@ -78,7 +78,7 @@ void bind_path_changes(py::module_& module) {
       .def(
           "__eq__", [](const PathChanges& a, const PathChanges& b) { return a == b; }, py::is_operator())
       .def("__reduce_ex__", &refuse_pickle, py::arg("protocol"))
-      .def("__repr__", &repr_of);
+      .def("__repr__", &repr_of_changes);
 }
 
 }  // namespace
