@@ -137,14 +137,13 @@ class EllipseBucket {
             to_float(goal.y),  to_float(inside),  to_float(beyond)};
   }
 
-  /// Returns whether the box may meet the ellipse `i`, by the sum of its distances from the foci. `relative` is the box
-  /// relative to the domain. First uses the floats: they are in the cache, and the other data rarely are.
+  /// Returns false only if the box misses the ellipse `i`. `relative` is the box relative to the domain. The function
+  /// first uses the floats: they are in the cache, and the other data rarely are.
   [[nodiscard]] bool may_meet(std::size_t i, const Box& relative, const Box& box) const {
     const Floats::Block& block = floats_.block(i / Floats::kLanes);
     const auto value = [&](Field field) { return double{block[field][i % Floats::kLanes]}; };
     const double sum = std::sqrt(squared_distance(relative, 0.0, {value(kStartX), value(kStartY)})) +
                        std::sqrt(squared_distance(relative, 0.0, {value(kGoalX), value(kGoalY)}));
-    if (sum <= value(kInside)) return true;
     return sum <= value(kBeyond) && may_meet(entries_[i], box);
   }
   static double squared_distance(const Box& box, double reach, const Point& p) {
