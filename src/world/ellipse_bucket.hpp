@@ -97,7 +97,7 @@ class EllipseBucket {
         unsure |= std::uint64_t{near & outside} << i * Floats::kLanes;
       }
       Floats::for_each_lane(unsure, [&](std::size_t lane) {
-        if (may_meet(first + lane, relative, box)) inside |= std::uint64_t{1} << lane;
+        if (may_meet(entries_[first + lane], box)) inside |= std::uint64_t{1} << lane;
       });
       Floats::for_each_lane(inside, [&](std::size_t lane) { visit(slots_[first + lane]); });
     }
@@ -137,15 +137,6 @@ class EllipseBucket {
             to_float(goal.y),  to_float(inside),  to_float(beyond)};
   }
 
-  /// Returns false only if the box misses the ellipse `i`. `relative` is the box relative to the domain. The function
-  /// first uses the floats: they are in the cache, and the other data rarely are.
-  [[nodiscard]] bool may_meet(std::size_t i, const Box& relative, const Box& box) const {
-    const Floats::Block& block = floats_.block(i / Floats::kLanes);
-    const auto value = [&](Field field) { return double{block[field][i % Floats::kLanes]}; };
-    const double sum = std::sqrt(squared_distance(relative, 0.0, {value(kStartX), value(kStartY)})) +
-                       std::sqrt(squared_distance(relative, 0.0, {value(kGoalX), value(kGoalY)}));
-    return sum <= value(kBeyond) && may_meet(entries_[i], box);
-  }
   static double squared_distance(const Box& box, double reach, const Point& p) {
     const auto beyond = [&](double least, double most, double at) {
       return std::max(std::max(least - at, at - most) - reach, 0.0);
