@@ -1,11 +1,11 @@
 set(WAYWRIGHT_UNITY
     1
-    CACHE STRING "How many sources of a folder to compile as one: more make a new build faster, and a build after a change slower")
+    CACHE STRING "How many sources of a folder to compile as one; more make a new build faster")
 
 # waywright_unite(NAME VARIABLE): replaces the sources in the list VARIABLE by generated sources. Each includes up to
-# WAYWRIGHT_UNITY sources of one folder, so the compiler reads their headers once. The names in the unnamed namespaces of a
-# folder must differ. NAME is a name for the folder of the generated sources. (The property UNITY_BUILD of CMake leaves out
-# sources with compile options of their own, and the library has such options.)
+# WAYWRIGHT_UNITY sources of one folder, so the compiler reads their headers once. The names in the unnamed namespaces
+# of a folder must differ. NAME is a name for the folder of the generated sources. (The property UNITY_BUILD of CMake
+# leaves out sources with compile options of their own, and the library has such options.)
 function(waywright_unite name variable)
   if(WAYWRIGHT_UNITY LESS 2)
     return()
@@ -28,7 +28,8 @@ function(waywright_unite name variable)
       math(EXPR parts "(${left} + ${WAYWRIGHT_UNITY} - 1) / ${WAYWRIGHT_UNITY}")
       math(EXPR count "(${left} + ${parts} - 1) / ${parts}")
       # For GCC, each source is a header here, and a class in a header should not use names of an unnamed namespace.
-      set(text "#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC diagnostic ignored \"-Wsubobject-linkage\"\n#endif\n")
+      string(CONCAT text "#if defined(__GNUC__) && !defined(__clang__)\n"
+                    "#pragma GCC diagnostic ignored \"-Wsubobject-linkage\"\n#endif\n")
       foreach(i RANGE 1 ${count})
         list(POP_FRONT sources_of_${folder} source)
         string(APPEND text "#include \"${source}\"\n")

@@ -30,7 +30,7 @@ struct Channel {
 };
 
 /// Returns twice the signed area. It is exact, as the coordinates are small whole numbers.
-std::int64_t area_of(const Point& a, const Point& b, const Point& c) {
+std::int64_t doubled_area(const Point& a, const Point& b, const Point& c) {
   return static_cast<std::int64_t>((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
 }
 
@@ -64,7 +64,7 @@ double shortest_by_trying_all(const Triangulation& triangulation, const Channel&
     while (first < last && has_end(last - 1, to.at)) --last;  // or ends
     if (first < last && from == to.at) return false;          // the channel goes around the point
     for (std::size_t i = first; i < last; ++i) {
-      if (area_of(from, to.at, left[i]) < 0 || area_of(from, to.at, right[i]) > 0) return false;
+      if (doubled_area(from, to.at, left[i]) < 0 || doubled_area(from, to.at, right[i]) > 0) return false;
     }
     return true;
   };

@@ -24,7 +24,7 @@ double size(const Vec& a) { return std::sqrt(product(a, a)); }
 double distance_to_segment(const Vec& p, const Vec& a, const Vec& b) {
   const Vec along = b - a;
   const double square = product(along, along);
-  const double share = square > 0 ? std::clamp(product(p - a, along) / square, double(0), double(1)) : double(0);
+  const double share = square > 0 ? std::clamp(product(p - a, along) / square, 0.0, 1.0) : 0.0;
   return size(p - a - along * share);
 }
 
@@ -38,9 +38,7 @@ struct Curve {
 class Candidates {
  public:
   Candidates(const Walls& walls, Point point, double r) : r_(r) {
-    const auto relative = [&](const Point& p) {
-      return Vec{double(p.x) - double(point.x), double(p.y) - double(point.y)};
-    };
+    const auto relative = [&](const Point& p) { return Vec{p.x - point.x, p.y - point.y}; };
     for (const auto& [a, b] : walls.segments) {
       if (a == b) continue;
       const Vec from = relative(a);
@@ -91,7 +89,7 @@ class Candidates {
   void add_line_and_circle(const Curve& line, const Vec& centre) {
     const Vec foot = line.at + line.along * product(centre - line.at, line.along);
     const double from = size(centre - foot);
-    const double half = std::sqrt(std::max(double(0), (r_ - from) * (r_ + from)));
+    const double half = std::sqrt(std::max(0.0, (r_ - from) * (r_ + from)));
     if (from > r_ * (1 + 1e-15)) return;
     add(foot + line.along * half);
     add(foot - line.along * half);
@@ -100,7 +98,7 @@ class Candidates {
     const Vec middle = (p + q) * 0.5;
     const double half = size(q - p) / 2;
     if (half == 0 || half > r_ * (1 + 1e-15)) return;
-    const double rise = std::sqrt(std::max(double(0), (r_ - half) * (r_ + half)));
+    const double rise = std::sqrt(std::max(0.0, (r_ - half) * (r_ + half)));
     const Vec normal = Vec{p.y - q.y, q.x - p.x} * (1 / (2 * half));
     add(middle + normal * rise);
     add(middle - normal * rise);
@@ -115,8 +113,8 @@ class Candidates {
 /// Calls visit() with doubles around a position: the nearest ones, then rings of larger and larger radius.
 template <class Visit>
 bool visit_around(const Point& point, const Vec& position, Visit&& visit) {
-  const double x = double(point.x) + position.x;
-  const double y = double(point.y) + position.y;
+  const double x = point.x + position.x;
+  const double y = point.y + position.y;
   const double infinity = HUGE_VAL;
   const auto near = [&](double value) {
     const auto middle = static_cast<double>(value);
@@ -139,9 +137,7 @@ bool visit_around(const Point& point, const Vec& position, Visit&& visit) {
   return is_found;
 }
 
-double distance_between(const Point& p, const Point& q) {
-  return size({double(p.x) - double(q.x), double(p.y) - double(q.y)});
-}
+double distance_between(const Point& p, const Point& q) { return size({p.x - q.x, p.y - q.y}); }
 
 }  // namespace
 
@@ -162,7 +158,7 @@ std::optional<Point> nearest_fit(const Walls& walls, Point point, double r, cons
     visit_around(point, position, [&](const Point& p) {
       const double distance = distance_between(p, point);
       if (best && distance >= least) return false;
-      const Vec relative{double(p.x) - double(point.x), double(p.y) - double(point.y)};
+      const Vec relative{p.x - point.x, p.y - point.y};
       if (!candidates.may_be_free(relative, 64 * std::numeric_limits<double>::epsilon())) return false;
       if (!is_point_free(p)) return false;
       if (counts(p)) {

@@ -41,7 +41,7 @@ std::vector<oracle::OracleRay> rays_of(const PathCase& path_case) {
   return rays;
 }
 
-double text_of_length(const std::vector<Point>& points) {
+double polyline_length(const std::vector<Point>& points) {
   double length = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     length += std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y);
@@ -127,7 +127,7 @@ class PathCaseCheck {
     if (path_.points.empty() || path_.points.front() != query.start || path_.points.back() != query.goal) {
       return "the path does not lead from start to goal";
     }
-    const double length = text_of_length(path_.points);
+    const double length = polyline_length(path_.points);
     const double slack = tolerance(path_, length);
     if (std::fabs(path_.length - length) > slack) return "the length is not that of the points";
     if (const Fault fault = oracle_.check_path(oracle::to_oracle(path_.points))) return fault;

@@ -22,7 +22,7 @@ namespace {
 
 using Fault = std::optional<std::string>;
 
-std::string name_of_kind(ItemId id) { return "item " + std::to_string(id.value); }
+std::string item_name(ItemId id) { return "item " + std::to_string(id.value); }
 
 class WorldCheck {
  public:
@@ -54,10 +54,10 @@ class WorldCheck {
     for (const Item& item : scene_.items) {
       const Result<ItemId> inserted = world.insert(item.shape, item.id);
       ++report_.operations;
-      if (!inserted) return "insert of " + name_of_kind(item.id) + ": " + inserted.error().message();
-      if (*inserted != item.id) return "insert of " + name_of_kind(item.id) + " returned " + name_of_kind(*inserted);
+      if (!inserted) return "insert of " + item_name(item.id) + ": " + inserted.error().message();
+      if (*inserted != item.id) return "insert of " + item_name(item.id) + " returned " + item_name(*inserted);
       const Validation validation = world.validate();
-      if (!validation.ok) return "validate after " + name_of_kind(item.id) + ": " + validation.fault;
+      if (!validation.ok) return "validate after " + item_name(item.id) + ": " + validation.fault;
     }
     return std::nullopt;
   }
@@ -70,7 +70,7 @@ class WorldCheck {
     std::vector<ItemId> ids;
     for (const Item& item : scene_.items) {
       ids.push_back(item.id);
-      if (!world.contains(item.id)) return "contains denies " + name_of_kind(item.id);
+      if (!world.contains(item.id)) return "contains denies " + item_name(item.id);
     }
     std::sort(ids.begin(), ids.end());
     if (world.item_ids() != ids) return "item_ids is wrong";
@@ -192,7 +192,7 @@ class WorldCheck {
     for (const Item& item : items) {
       ++report_.operations;
       if (!world->insert(item.shape, item.id))
-        return "in another order, the insertion of " + name_of_kind(item.id) + " fails";
+        return "in another order, the insertion of " + item_name(item.id) + " fails";
     }
     if (world->dump() != dump) return "in another order, the items give another dump";
     return std::nullopt;
@@ -209,10 +209,9 @@ class WorldCheck {
       report_.operations += items.size();
       if (!ids) return "insert_all: " + ids.error().message();
       for (std::size_t i = before; i < items.size(); ++i) {
-        if ((*ids)[i - before] != items[i].id) return "insert_all returned another id for " + name_of_kind(items[i].id);
+        if ((*ids)[i - before] != items[i].id) return "insert_all returned another id for " + item_name(items[i].id);
         const Result<Shape> shape = world->shape(items[i].id);
-        if (!shape || *shape != *world_shape(items[i]))
-          return "the shape of " + name_of_kind(items[i].id) + " is wrong";
+        if (!shape || *shape != *world_shape(items[i])) return "the shape of " + item_name(items[i].id) + " is wrong";
       }
       const Validation validation = world->validate();
       if (!validation.ok) return "validate after insert_all: " + validation.fault;

@@ -78,7 +78,8 @@ void bind_shape_makers(ShapeClass& shape) {
           py::arg("rings"), py::arg("fill") = FillRule::even_odd,
           R"(Returns a polygon of one ring (a list of points) or of several (a list of lists of points).
 
-With the fill rule 'even-odd', a ring in a ring bounds a hole. With 'nonzero', it is one only if their directions differ.
+With the fill rule 'even-odd', a ring in a ring bounds a hole. With 'nonzero', it bounds one only if their directions
+differ.
 
 >>> waywright.Shape.polygon([[(0, 0), (9, 0), (9, 9), (0, 9)], [(3, 3), (6, 3), (6, 6)]])
 <waywright.Shape polygon of 7 points in 2 rings>
