@@ -35,7 +35,7 @@ struct Unit {
 
 class Game {
  public:
-  /// A river flows through the map from south to north. Two bridges cross it.
+  /// A river flows through the map from south to north. It has two fords.
   Game() : world_(World::create(kMap).value()) {
     build({{56, 0}, {64, 12}});
     build({{56, 16}, {64, 44}});
@@ -135,11 +135,11 @@ int main() {
   for (const double y : {4.0, 8.0, 12.0, 16.0}) game.add_unit({8, y});
   game.send_all({112, 14});
   game.run(60);
-  game.print("four units walk east, to the bridge in the south");
+  game.print("four units walk east, to the ford in the south");
 
   const ItemId tower = game.build({{52, 8}, {60, 20}});
   game.run(12);
-  game.print("a tower blocks the bridge, so they turn to the other one");
+  game.print("a tower blocks the ford, so they turn to the other one");
 
   game.destroy(tower);
   game.run(36);
@@ -147,5 +147,5 @@ int main() {
 
   game.build({{56, 12}, {64, 16}});
   game.run(180);
-  game.print("a house pushed them off the bridge, and all are there");
+  game.print("a house pushed them out of the ford, and all are there");
 }

@@ -35,15 +35,15 @@ def test_paths_and_shapes_share_their_memory(world):
 
 def test_the_mesh_shares_its_memory(world):
     mesh = world.snapshot()
-    for name in ("vertices", "triangles", "edges", "ids"):
+    for name in ("vertices", "triangles", "constrained_edges", "ids"):
         assert getattr(mesh, name).base is mesh and addresses(getattr(mesh, name)) == addresses(getattr(mesh, name))
-    assert mesh.edges.strides[0] > 8  # the indices lie in the library's struct of an edge
+    assert mesh.constrained_edges.strides[0] > 8  # the indices lie in the library's struct of an edge
     corners = mesh.vertices[mesh.triangles]
     a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     doubled = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
     assert (doubled > 0).all() and doubled.sum() / 2 == 100 * 100
     ids = [mesh.ids[i:j].tolist() for i, j in zip(mesh.id_offsets, mesh.id_offsets[1:])]
-    lies_on_wall = (mesh.vertices[mesh.edges][:, :, 1] == 80).all(axis=1)
+    lies_on_wall = (mesh.vertices[mesh.constrained_edges][:, :, 1] == 80).all(axis=1)
     assert [ids[i] for i in np.flatnonzero(lies_on_wall)] == [[2]] * lies_on_wall.sum()
 
 

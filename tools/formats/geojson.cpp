@@ -117,7 +117,7 @@ class GeoJsonReader {
   bool parse_error(std::size_t /*offset*/, const std::string& /*token*/, const Json::exception& error);
 
  private:
-  /// The position of the last character that the parser has read, or of the one before it.
+  /// The offset of the last character that the parser has read, or of the one before it.
   [[nodiscard]] std::size_t offset() const {
     const auto read = static_cast<std::size_t>(reached_ - text_.data());
     return read == 0 ? 0 : read - 1;
@@ -481,9 +481,9 @@ void GeoJsonReader::end_root(Frame& frame) {
 bool GeoJsonReader::parse_error(std::size_t /*offset*/, const std::string& /*token*/, const Json::exception& error) {
   constexpr std::size_t kLongest = 200;
   std::string what = error.what();
-  // The message starts with the name of the exception and with a position, which the Refusal gives, too.
-  const std::size_t position = what.find("column ");
-  const std::size_t start = position == std::string::npos ? what.find("] ") : what.find(": ", position);
+  // The message starts with the name of the exception and with a line and column, which the Refusal gives, too.
+  const std::size_t column = what.find("column ");
+  const std::size_t start = column == std::string::npos ? what.find("] ") : what.find(": ", column);
   if (start != std::string::npos) what.erase(0, start + 2);
   if (what.size() > kLongest) what.replace(kLongest, std::string::npos, "...");
   throw Refusal{.offset = offset(), .what = "the JSON text cannot be read: " + what};

@@ -20,7 +20,7 @@ using ReadProgress = std::function<void(std::size_t done, std::size_t total)>;
 
 /// The exception with which a reader refuses its text. read_scene_text() turns it into an Error.
 struct Refusal {
-  std::size_t offset = 0;  ///< the position in the text that is wrong
+  std::size_t offset = 0;  ///< the offset of the error in the text
   std::string what;
   ErrorCode code = ErrorCode::malformed;
 };
@@ -56,9 +56,9 @@ class Cursor {
   explicit Cursor(std::string_view text, std::string_view marks = {}) : text_(text), marks_(marks) { skip_blanks(); }
 
   [[nodiscard]] bool at_end() const { return at_ == text_.size(); }
-  /// The position of the next word.
+  /// The offset of the next word.
   [[nodiscard]] std::size_t offset() const { return at_; }
-  /// Returns the next word without a move; empty at the end of the text.
+  /// Returns the next word, but does not move; empty at the end of the text.
   [[nodiscard]] std::string_view peek() const;
   /// Returns the next word and moves behind it; empty at the end of the text.
   std::string_view next();

@@ -39,8 +39,8 @@ class ObjReader {
 
   std::string_view text_;
   const ReadProgress& progress_;
-  std::size_t start_ = 0;  ///< the position of the statement
-  std::size_t next_ = 0;   ///< the position behind the statement
+  std::size_t start_ = 0;  ///< the offset of the statement
+  std::size_t next_ = 0;   ///< the offset behind the statement
   std::string statement_;
   std::vector<Point> vertices_;
   double height_ = 0.0;  ///< the z of all vertices

@@ -11,7 +11,7 @@ namespace {
 
 using Edges = MeshSnapshot::ConstrainedEdge;
 
-py::array edges_of(const py::object& self) {
+py::array constrained_edges_of(const py::object& self) {
   const auto& edges = self.cast<const MeshSnapshot&>().constraints;
   return view_numbers(edges.empty() ? nullptr : edges.data()->vertices.data(),
                       {static_cast<py::ssize_t>(edges.size()), 2}, {sizeof(Edges), sizeof(std::uint32_t)}, self);
@@ -50,7 +50,8 @@ A copy of the mesh of a world in canonical order. Its arrays share its memory.
                                 {3 * sizeof(std::uint32_t), sizeof(std::uint32_t)}, self);
           },
           "The indices of the vertices of each triangle, counter-clockwise: an array (N, 3).")
-      .def_property_readonly("edges", &edges_of, "The indices of the two vertices of each constrained edge: (N, 2).")
+      .def_property_readonly("constrained_edges", &constrained_edges_of,
+                             "The indices of the two vertices of each constrained edge: (N, 2).")
       .def_property_readonly(
           "ids",
           [](const py::object& self) {

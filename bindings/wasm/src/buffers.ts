@@ -1,5 +1,5 @@
 import { refuse, shown, toNumber, WaywrightError } from './errors.js';
-import { allocate, f64, fits, onUnload, release, requireIdle, slots, u32, u8 } from './runtime.js';
+import { allocate, f64, fits, onUnload, release, requireIdle, scratch, u32, u8 } from './runtime.js';
 
 /** The largest buffer, in bytes, that the wrapper keeps after a call. It frees a larger one. */
 const KEPT_BYTES = 1 << 20;
@@ -48,10 +48,10 @@ export function readList(size: number, call: (buffer: number, capacity: number, 
   first.reserve(1);
   for (;;) {
     const capacity = Math.floor(first.bytes / size);
-    if (fits(call(first.address, capacity, slots.count))) {
-      return { address: first.address, count: u32[slots.count >>> 2]! };
+    if (fits(call(first.address, capacity, scratch.count))) {
+      return { address: first.address, count: u32[scratch.count >>> 2]! };
     }
-    first.reserve(u32[slots.count >>> 2]! * size);
+    first.reserve(u32[scratch.count >>> 2]! * size);
   }
 }
 
@@ -66,8 +66,8 @@ export function readTwoLists(
   second.reserve(1);
   for (;;) {
     const [roomA, roomB] = [Math.floor(first.bytes / size), Math.floor(second.bytes / size)];
-    const done = fits(call(first.address, roomA, slots.count, second.address, roomB, slots.count2));
-    const [countA, countB] = [u32[slots.count >>> 2]!, u32[slots.count2 >>> 2]!];
+    const done = fits(call(first.address, roomA, scratch.count, second.address, roomB, scratch.count2));
+    const [countA, countB] = [u32[scratch.count >>> 2]!, u32[scratch.count2 >>> 2]!];
     if (done) return [{ address: first.address, count: countA }, { address: second.address, count: countB }];
     first.reserve(countA * size);
     second.reserve(countB * size);

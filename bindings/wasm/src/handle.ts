@@ -1,6 +1,6 @@
 import { freeBuffers } from './buffers.js';
 import { refuse, shown, WaywrightError } from './errors.js';
-import { check, generation, lib, onTrap, onUnload, requireIdle, slots, u32 } from './runtime.js';
+import { check, generation, lib, onTrap, onUnload, requireIdle, scratch, u32 } from './runtime.js';
 
 type Destroy = (address: number) => void;
 
@@ -135,8 +135,8 @@ function toHandle<T extends Handle>(type: abstract new (...given: never[]) => T,
 
 /** Makes a call that writes the address of an object, and returns this address. */
 export function make(create: (address: number) => number): number {
-  check(create(slots.pointer));
-  return u32[slots.pointer >>> 2]!;
+  check(create(scratch.pointer));
+  return u32[scratch.pointer >>> 2]!;
 }
 
 /**

@@ -2,7 +2,7 @@ import { arena, copyIntegers, copyNumbers, copyPoint, packSizes, type Point, rea
 import { refuse, shown, toFlag, toNumber, toObject, WaywrightError } from './errors.js';
 import * as abi from './generated/abi.js';
 import { Address, addressOf, contextAddress, Handle, make, ownAddressOf, type QueryContext } from './handle.js';
-import { allocate, check, f64, lib, release, slots, u32, u8 } from './runtime.js';
+import { allocate, check, f64, lib, release, scratch, u32, u8 } from './runtime.js';
 import { answer, askSize, fromEnum, get, isInRange, type ItemId, put, readIds, readPoint, toEnum, writePoint } from './values.js';
 
 /** `optimal` finds the shortest path. `ta` and `tra` take less time and may find longer paths. */
@@ -78,7 +78,7 @@ export function copyOptions(given: PathOptions): OptionsCopy {
 /** Writes a query to a struct of the module. */
 export function packQuery(options: OptionsCopy, start = ORIGIN, goal = ORIGIN): number {
   const { ww_path_query: layout } = abi;
-  const struct = slots.struct2;
+  const struct = scratch.struct2;
   check(lib.ww_path_query_init(struct, layout.size_));
   writePoint(struct + layout.start, start);
   writePoint(struct + layout.goal, goal);
@@ -392,9 +392,9 @@ export class Path extends Handle {
   /** Moves a position of this path farther along the path by `step`. Returns the same object. */
   advance(position: PathPosition, step: number, precision: Precision = 'float64'): PathPosition {
     const [farther, kind] = [toDistance(step), toEnum(PRECISIONS, precision)];
-    writePosition(slots.struct, position);
-    check(lib.ww_path_advance(this.address, farther, kind, slots.struct));
-    return readPosition(slots.struct, position);
+    writePosition(scratch.struct, position);
+    check(lib.ww_path_advance(this.address, farther, kind, scratch.struct));
+    return readPosition(scratch.struct, position);
   }
 
   /** The position on the path that is nearest to a point. */
@@ -403,7 +403,7 @@ export class Path extends Handle {
     for (const each of [given.x, given.y]) {
       if (!isInRange(each)) throw new WaywrightError('coordinate-range', `no world accepts the coordinate ${each}`);
     }
-    const [at, struct] = [writePoint(slots.a, given), answer(abi.ww_path_position)];
+    const [at, struct] = [writePoint(scratch.a, given), answer(abi.ww_path_position)];
     check(lib.ww_path_nearest(this.address, at, kind, struct));
     return readPosition(struct, into);
   }
@@ -442,8 +442,8 @@ export class Paths extends Handle {
 
   /** A path of the list. It belongs to the list, and is valid until the list changes. */
   get(index: number): Path {
-    check(lib.ww_paths_get(this.address, toSize(index), slots.pointer));
-    return new Path(new Address(u32[slots.pointer >>> 2]!, this));
+    check(lib.ww_paths_get(this.address, toSize(index), scratch.pointer));
+    return new Path(new Address(u32[scratch.pointer >>> 2]!, this));
   }
 
   /** The length of each path: 0 for a path without length, NaN for a path that is not found. */

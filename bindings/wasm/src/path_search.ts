@@ -2,7 +2,7 @@ import { copyNumbers, readList, toSize } from './buffers.js';
 import { toFlag } from './errors.js';
 import { Address, addressOf, Handle, make } from './handle.js';
 import { packPathQuery, Path, type PathQuery } from './path.js';
-import { check, lib, slots, u32 } from './runtime.js';
+import { check, lib, scratch, u32 } from './runtime.js';
 import { askFlag, askSize } from './values.js';
 import { World } from './world.js';
 
@@ -33,8 +33,8 @@ export class PathSearch extends Handle {
 
   /** The answer, or the best path so far. It belongs to the search, and is valid until the next call that changes it. */
   get path(): Path {
-    check(lib.ww_search_path(this.address, slots.pointer));
-    return new Path(new Address(u32[slots.pointer >>> 2]!, this));
+    check(lib.ww_search_path(this.address, scratch.pointer));
+    return new Path(new Address(u32[scratch.pointer >>> 2]!, this));
   }
 
   /** How often the search started again because the world had changed. */

@@ -2,7 +2,7 @@ import { arena, copyList, readList, toSize } from './buffers.js';
 import { refuse, WaywrightError, type ErrorCode } from './errors.js';
 import * as abi from './generated/abi.js';
 import { addressOf, Handle, make } from './handle.js';
-import { check, cTextAt, idAt, lib, slots, textAt, withProgress } from './runtime.js';
+import { check, cTextAt, idAt, lib, scratch, textAt, withProgress } from './runtime.js';
 import { Script } from './scene.js';
 import { answer, askLong, fromEnum, get, type ItemId, itemsHashAt, packIds, readBytes, readIds, toId } from './values.js';
 import { World } from './world.js';
@@ -80,7 +80,7 @@ export interface ReplayResult {
 
 function readRefusal(replay: number): WaywrightError {
   const { ww_error: layout } = abi;
-  const struct = slots.struct2;
+  const struct = scratch.struct2;
   const { address, count } = readList(1, (...list) => lib.ww_replay_refusal(replay, answer(layout, struct), ...list));
   const code = cTextAt(lib.ww_status_name(get.int(struct + layout.status))) as ErrorCode;
   return new WaywrightError(
@@ -141,7 +141,7 @@ export interface ReplayDifference {
 /** Compares two logs, change by change and hash by hash. Returns null if they are equal. */
 export function findDifference(log: Script, other: Script): ReplayDifference | null {
   const { ww_replay_difference: layout } = abi;
-  const struct = slots.struct;
+  const struct = scratch.struct;
   const [first, second] = [addressOf(Script, log), addressOf(Script, other)];
   const changed = readIds(
     readList(8, (...list) => lib.ww_find_difference(first, second, answer(layout), ...list)),

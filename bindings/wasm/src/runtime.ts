@@ -65,8 +65,8 @@ function refreshViews(): void {
 }
 
 /** Addresses for the arguments and the answers of one call. */
-export const slots = { struct: 0, struct2: 0, a: 0, b: 0, box: 0, count: 0, count2: 0, id: 0, flag: 0, pointer: 0, hash: 0 };
-const SLOT_BYTES = { struct: 512, struct2: 512, a: 16, b: 16, box: 32, count: 8, count2: 8, id: 8, flag: 8, pointer: 8, hash: 40 };
+export const scratch = { struct: 0, struct2: 0, a: 0, b: 0, box: 0, count: 0, count2: 0, id: 0, flag: 0, pointer: 0, hash: 0 };
+const SCRATCH_BYTES = { struct: 512, struct2: 512, a: 16, b: 16, box: 32, count: 8, count2: 8, id: 8, flag: 8, pointer: 8, hash: 40 };
 
 /** The progress function of the running call, and the error that it has thrown. */
 let progress: ((done: number, total: number) => void) | null = null;
@@ -196,10 +196,10 @@ function adopt(instance: WebAssembly.Instance, maximumMemory: number): void {
   refreshViews();
   exports._initialize();
   if (maximumMemory < 2 ** 32) exports.ww_js_set_memory_limit(maximumMemory);
-  const sizes = Object.entries(SLOT_BYTES) as [keyof typeof slots, number][];
+  const sizes = Object.entries(SCRATCH_BYTES) as [keyof typeof scratch, number][];
   let address = exports.malloc(sizes.reduce((sum, [, size]) => sum + size, 0));
-  for (const [slot, size] of sizes) {
-    slots[slot] = address;
+  for (const [name, size] of sizes) {
+    scratch[name] = address;
     address += size;
   }
   initialStack = exports.stackSave();
@@ -352,7 +352,7 @@ const MESSAGE_BYTES = 1024;
 
 /** Returns the error of the last call, which has returned `status`. */
 function lastError(status: number): WaywrightError {
-  const error = slots.struct;
+  const error = scratch.struct;
   u32[(error + ww_error.structSize) >>> 2] = ww_error.size_;
   lib.ww_last_error(error);
   const code = cTextAt(lib.ww_status_name(status)) as ErrorCode;

@@ -4,7 +4,7 @@ import * as abi from './generated/abi.js';
 import { Address, addressOf, Handle, make, ownAddressOf } from './handle.js';
 import { ItemList } from './items.js';
 import { PATH_ALGORITHMS, type PathAlgorithm } from './path.js';
-import { check, cTextAt, encode, idAt, lib, slots, textAt, u32 } from './runtime.js';
+import { check, cTextAt, encode, idAt, lib, scratch, textAt, u32 } from './runtime.js';
 import {
   answer, askSize, askText, type Box, fromEnum, get, type ItemId, itemsHashAt, readBox, readPoint, writeBox,
 } from './values.js';
@@ -17,8 +17,8 @@ export function sceneFormat(fileName: string): SceneFormat {
   const name = encode(fileName);
   arena.reset();
   const { address } = packText(name);
-  check(lib.ww_scene_format_of(address, slots.flag));
-  return fromEnum(SCENE_FORMATS, get.int(slots.flag));
+  check(lib.ww_scene_format_of(address, scratch.flag));
+  return fromEnum(SCENE_FORMATS, get.int(scratch.flag));
 }
 
 /** Copies a text and its name for error messages into the arena, and calls `parse`. */
@@ -72,7 +72,7 @@ export class Scene extends Handle {
 
   /** Sets the scene to a copy of a domain and items. */
   set(domain: Box, items: ItemList, yDown = false): this {
-    const [box, list] = [writeBox(slots.box, domain), addressOf(ItemList, items)];
+    const [box, list] = [writeBox(scratch.box, domain), addressOf(ItemList, items)];
     const isDown = toFlag(yDown, 'yDown');
     check(lib.ww_scene_set(this.change(), box, list, isDown ? 1 : 0));
     return this;
@@ -100,8 +100,8 @@ export class Scene extends Handle {
 
   /** The items. They belong to the scene, and are valid until it changes. */
   get items(): ItemList {
-    check(lib.ww_scene_items(this.address, slots.pointer));
-    return new ItemList(new Address(u32[slots.pointer >>> 2]!, this));
+    check(lib.ww_scene_items(this.address, scratch.pointer));
+    return new ItemList(new Address(u32[scratch.pointer >>> 2]!, this));
   }
 
   /** The scene as a world script. */
@@ -156,8 +156,8 @@ export class Script extends Handle {
   }
 
   get domain(): Box {
-    check(lib.ww_script_domain(this.address, slots.box, 0));
-    return readBox(slots.box);
+    check(lib.ww_script_domain(this.address, scratch.box, 0));
+    return readBox(scratch.box);
   }
 
   /** The number of lines. */
@@ -237,7 +237,7 @@ export class Scenario extends Handle {
   query(index: number): ScenarioQuery {
     const { ww_scenario_query: layout } = abi;
     const [scenario, at] = [this.address, toSize(index)];
-    const struct = slots.struct;
+    const struct = scratch.struct;
     const map = readList(1, (...list) => lib.ww_scenario_get(scenario, at, answer(layout), ...list));
     return {
       map: textAt(map.address, map.count - 1),

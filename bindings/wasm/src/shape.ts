@@ -1,7 +1,7 @@
 import { arena, copyList, copyNumbers, flatten, packPoints, packSizes, type Point, type Points, readList, toSize } from './buffers.js';
 import { refuse, toNumber, toObject } from './errors.js';
 import { ww_shape } from './generated/abi.js';
-import { check, lib, slots } from './runtime.js';
+import { check, lib, scratch } from './runtime.js';
 import { answer, type Box, put, readBox, readPoint, toEnum, writeBox, writePoint } from './values.js';
 
 /** The kind of an item: a vertex, a wall, an open polyline whose pieces are walls, or a solid obstacle. */
@@ -55,13 +55,13 @@ export const Shape = {
   },
   /** A rectangle, counter-clockwise from its lower left corner. */
   rectangle(box: Box): Shape {
-    const given = writeBox(slots.box, box);
+    const given = writeBox(scratch.box, box);
     const list = readList(16, (buffer, capacity, count) => lib.ww_rectangle(given, buffer, capacity, count));
     return { kind: 'polygon', points: copyNumbers(list.address, 2 * list.count) };
   },
   /** A regular polygon of 3 corners or more, counter-clockwise from the corner to the right. */
   regularPolygon(centre: Point, radius: number, cornerCount: number): Shape {
-    const [at, size, corners] = [writePoint(slots.a, centre), toNumber(radius, 'the radius'), toSize(cornerCount)];
+    const [at, size, corners] = [writePoint(scratch.a, centre), toNumber(radius, 'the radius'), toSize(cornerCount)];
     const list = readList(16, (buffer, capacity, count) =>
       lib.ww_regular_polygon(at, size, corners, buffer, capacity, count),
     );
@@ -106,7 +106,7 @@ export function packCopy({ kind, fill, coordinates, sizes: given }: ShapeCopy, s
 export function packShape(shape: Shape): number {
   const copy = copyShape(shape);
   arena.reset();
-  return packCopy(copy, slots.struct2);
+  return packCopy(copy, scratch.struct2);
 }
 
 /** Returns a shape, moved by (dx, dy). */
@@ -120,8 +120,8 @@ export function translated(shape: Shape, dx: number, dy: number): Shape {
 
 /** Returns the centroid of a shape with a point, in plain doubles. */
 export function centroid(shape: Shape): Point {
-  check(lib.ww_centroid(packShape(shape), slots.a));
-  return readPoint(slots.a);
+  check(lib.ww_centroid(packShape(shape), scratch.a));
+  return readPoint(scratch.a);
 }
 
 /** Returns the smallest box that contains the points, one or more. */
@@ -129,8 +129,8 @@ export function boundingBox(points: Points): Box {
   const coordinates = flatten(points);
   arena.reset();
   const { address, count } = packPoints(coordinates);
-  check(lib.ww_bounding_box(address, count, slots.box));
-  return readBox(slots.box);
+  check(lib.ww_bounding_box(address, count, scratch.box));
+  return readBox(scratch.box);
 }
 
 /** Many shapes of one kind in two arrays: the points of shape i are `offsets[i]` to `offsets[i + 1] - 1`. */
@@ -146,7 +146,7 @@ export function forEachShape(kind: ItemKind, shapes: RaggedPoints, use: (struct:
   const kindNumber = toEnum(ITEM_KINDS, kind);
   arena.reset();
   const { address, count } = packPoints(coordinates);
-  const struct = answer(ww_shape, slots.struct2);
+  const struct = answer(ww_shape, scratch.struct2);
   check(lib.ww_shape_init(struct, ww_shape.size_));
   put.int(struct + ww_shape.kind, kindNumber);
   offsets.forEach((to, i) => {

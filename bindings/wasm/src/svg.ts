@@ -3,7 +3,7 @@ import { toFlag, toNumber, toObject } from './errors.js';
 import * as abi from './generated/abi.js';
 import { addressOf, Handle, make } from './handle.js';
 import { packPathQuery, Path, PATH_STATUSES, type PathQuery, type PathStatus } from './path.js';
-import { check, encode, lib, slots } from './runtime.js';
+import { check, encode, lib, scratch } from './runtime.js';
 import { answer, type Box, copyBox, get, packIds, put, readBox, readPoint, toEnum, toId, writeBox, writeEnds, writePoint } from './values.js';
 import type { Location, RayHit } from './world.js';
 
@@ -41,7 +41,7 @@ export function copySvgOptions(options: SvgOptions): SvgOptions {
 export function packSvgOptions(options: SvgOptions): number {
   const { ww_svg_options: layout } = abi;
   const title = packOptional(options.title);
-  const struct = slots.struct2;
+  const struct = scratch.struct2;
   check(lib.ww_svg_options_init(struct, layout.size_));
   if (options.theme !== undefined) put.int(struct + layout.theme, toEnum(SVG_THEMES, options.theme));
   if (options.width !== undefined) put.float(struct + layout.width, toNumber(options.width, 'the width'));
@@ -74,7 +74,7 @@ export function svgFrame(domain: Box, options: SvgOptions = {}): SvgFrame {
   arena.reset();
   const given = packSvgOptions(copy);
   const struct = answer(layout);
-  check(lib.ww_svg_get_frame(writeBox(slots.box, box), given, struct));
+  check(lib.ww_svg_get_frame(writeBox(scratch.box, box), given, struct));
   return {
     yDown: get.flag(struct + layout.yDown),
     shown: readBox(struct + layout.shown),
@@ -98,15 +98,15 @@ function packFrame(frame: SvgFrame): number {
 /** Returns the pixel of a point of the world. */
 export function svgToPicture(frame: SvgFrame, point: Point): Point {
   const [at, given] = [copyPoint(point), packFrame(frame)];
-  check(lib.ww_svg_to_picture(given, writePoint(slots.a, at), slots.b));
-  return readPoint(slots.b);
+  check(lib.ww_svg_to_picture(given, writePoint(scratch.a, at), scratch.b));
+  return readPoint(scratch.b);
 }
 
 /** Returns the point of the world at a pixel. */
 export function svgToWorld(frame: SvgFrame, pixels: Point): Point {
   const [at, given] = [copyPoint(pixels), packFrame(frame)];
-  check(lib.ww_svg_to_world(given, writePoint(slots.a, at), slots.b));
-  return readPoint(slots.b);
+  check(lib.ww_svg_to_world(given, writePoint(scratch.a, at), scratch.b));
+  return readPoint(scratch.b);
 }
 
 /** The style of a mark. A colour is any CSS colour; the default is the colour of the theme. A hint is the text on hover. */
@@ -163,7 +163,7 @@ export class SvgOverlay extends Handle {
     const { ww_location: layout } = abi;
     const { kind, vertices: givenVertices, polygons: givenIds } = toObject(location, 'a location');
     const vertices = copyList(givenVertices, 'a list of vertices', copyPoint).slice(0, 3);
-    const [ids, point] = [copyList(givenIds, 'a list of ids', toId), writePoint(slots.a, at)];
+    const [ids, point] = [copyList(givenIds, 'a list of ids', toId), writePoint(scratch.a, at)];
     arena.reset();
     const polygons = packIds(ids);
     const struct = answer(layout);
@@ -175,7 +175,7 @@ export class SvgOverlay extends Handle {
   }
 
   addDisc(centre: Point, radius: number, style: MarkStyle = {}): this {
-    const [copy, size, at] = [{ ...style }, toNumber(radius, 'the radius'), writePoint(slots.a, centre)];
+    const [copy, size, at] = [{ ...style }, toNumber(radius, 'the radius'), writePoint(scratch.a, centre)];
     arena.reset();
     const [colour, hint] = [packOptional(copy.colour), packOptional(copy.hint)];
     check(lib.ww_svg_add_disc(this.address, at, size, colour, hint));
@@ -194,7 +194,7 @@ export class SvgOverlay extends Handle {
 
   /** Adds a text beside `at`. The text keeps a disc of `radius` around `at` free. `size` is in pixels, 14 is usual. */
   addLabel(at: Point, text: string, radius: number, size = 14, colour?: string): this {
-    const [point, free, height] = [writePoint(slots.a, at), toNumber(radius, 'the radius'), toNumber(size, 'the size')];
+    const [point, free, height] = [writePoint(scratch.a, at), toNumber(radius, 'the radius'), toNumber(size, 'the size')];
     arena.reset();
     const [label, painted] = [packText(encode(text)).address, packOptional(colour)];
     check(lib.ww_svg_add_label(this.address, point, label, free, height, painted));

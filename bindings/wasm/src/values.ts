@@ -1,7 +1,7 @@
 import { arena, copyPoint, type List, type Point } from './buffers.js';
 import { refuse, shown, toNumber, toObject, WaywrightError } from './errors.js';
 import * as abi from './generated/abi.js';
-import { check, f64, i32, idAt, lib, slots, textAt, u32, u64, u8 } from './runtime.js';
+import { check, f64, i32, idAt, lib, scratch, textAt, u32, u64, u8 } from './runtime.js';
 
 /** A closed box. */
 export interface Box {
@@ -52,10 +52,10 @@ export function writePoint(address: number, point: Point): number {
   return address;
 }
 
-/** Writes two points of a caller to slots.a and slots.b. */
+/** Writes two points of a caller to scratch.a and scratch.b. */
 export function writeEnds(from: Point, to: Point): readonly [number, number] {
   const [a, b] = [copyPoint(from), copyPoint(to)];
-  return [writePoint(slots.a, a), writePoint(slots.b, b)];
+  return [writePoint(scratch.a, a), writePoint(scratch.b, b)];
 }
 
 export function readPoint(address: number): Point {
@@ -101,12 +101,12 @@ const ITEMS_HASH_DIGITS = 32;
 
 /** Returns the digits of the hash of items at an address. */
 export function itemsHashAt(address: number): string {
-  check(lib.ww_items_hash_text(address, slots.hash, ITEMS_HASH_DIGITS + 1, 0));
-  return textAt(slots.hash, ITEMS_HASH_DIGITS);
+  check(lib.ww_items_hash_text(address, scratch.hash, ITEMS_HASH_DIGITS + 1, 0));
+  return textAt(scratch.hash, ITEMS_HASH_DIGITS);
 }
 
 /** Prepares a struct for an answer. */
-export function answer(struct: { readonly size_: number }, address = slots.struct): number {
+export function answer(struct: { readonly size_: number }, address = scratch.struct): number {
   u32[address >>> 2] = struct.size_;
   return address;
 }
@@ -124,30 +124,30 @@ export function fromEnum<T extends string>(names: readonly T[], index: number): 
 
 /** Makes a call that writes a number or a truth value to an address. */
 export function askFlag(call: (address: number) => number): boolean {
-  check(call(slots.flag));
-  return i32[slots.flag >>> 2] !== 0;
+  check(call(scratch.flag));
+  return i32[scratch.flag >>> 2] !== 0;
 }
 export function askSize(call: (address: number) => number): number {
-  check(call(slots.count));
-  return u32[slots.count >>> 2]!;
+  check(call(scratch.count));
+  return u32[scratch.count >>> 2]!;
 }
 export function askFloat(call: (address: number) => number): number {
-  check(call(slots.a));
-  return f64[slots.a >>> 3]!;
+  check(call(scratch.a));
+  return f64[scratch.a >>> 3]!;
 }
 export function askLong(call: (address: number) => number): number {
-  check(call(slots.id));
-  return Number(u64[slots.id >>> 3]!);
+  check(call(scratch.id));
+  return Number(u64[scratch.id >>> 3]!);
 }
 export function askId(call: (address: number) => number): ItemId {
-  check(call(slots.id));
-  return idAt(slots.id);
+  check(call(scratch.id));
+  return idAt(scratch.id);
 }
 
 /** Makes a call that writes to a text object, calls `read` with the bytes, and returns its result. */
 function askBytes<T>(call: (text: number) => number, read: (address: number, size: number) => T): T {
-  check(lib.ww_text_create(slots.pointer));
-  const text = u32[slots.pointer >>> 2]!;
+  check(lib.ww_text_create(scratch.pointer));
+  const text = u32[scratch.pointer >>> 2]!;
   try {
     check(call(text));
     return readBytes(text, read);
@@ -158,8 +158,8 @@ function askBytes<T>(call: (text: number) => number, read: (address: number, siz
 
 /** Calls `read` with the bytes of a text object, and returns its result. */
 export function readBytes<T>(text: number, read: (address: number, size: number) => T): T {
-  check(lib.ww_text_bytes(text, slots.pointer, slots.count));
-  return read(u32[slots.pointer >>> 2]!, u32[slots.count >>> 2]!);
+  check(lib.ww_text_bytes(text, scratch.pointer, scratch.count));
+  return read(u32[scratch.pointer >>> 2]!, u32[scratch.count >>> 2]!);
 }
 
 /** Makes a call that writes to a text object, and returns the text, or a copy of the bytes. */

@@ -9,7 +9,7 @@ import {
   type Bridge, copyOptions, findPath, packQuery, Path, type PathOptions, type PathQuery, Paths, readBridges, readWidest,
   type WidestPath,
 } from './path.js';
-import { check, idAt, lib, slots, textAt, withProgress } from './runtime.js';
+import { check, idAt, lib, scratch, textAt, withProgress } from './runtime.js';
 import { copySvgOptions, packSvgOptions, type SvgOptions, SvgOverlay } from './svg.js';
 import {
   answer, askFlag, askFloat, askLong, askSize, askText, type Box, copyBox, fromEnum, get, type ItemId, itemsHashAt, put, readBox, readIds,
@@ -115,12 +115,12 @@ export interface Validation {
 function createWorld(domain: Box, options: WorldOptions): number {
   const box = copyBox(domain);
   const given = packWorldOptions(options);
-  return make((address) => lib.ww_world_create(writeBox(slots.box, box), given, address));
+  return make((address) => lib.ww_world_create(writeBox(scratch.box, box), given, address));
 }
 
 function readHit(call: (struct: number, buffer: number, capacity: number, count: number) => number): RayHit {
   const { ww_ray_hit: layout } = abi;
-  const struct = slots.struct;
+  const struct = scratch.struct;
   const items = readIds(readList(8, (...list) => call(answer(layout), ...list)));
   return {
     hit: get.flag(struct + layout.hit),
@@ -170,16 +170,16 @@ export class World extends WorldHistory {
   }
 
   get domain(): Box {
-    check(lib.ww_world_domain(this.address, slots.box));
-    return readBox(slots.box);
+    check(lib.ww_world_domain(this.address, scratch.box));
+    return readBox(scratch.box);
   }
 
   /** Finds the vertex, edge or face at a point. */
   locate(point: Point, context?: QueryContext): Location {
     const { ww_location: layout } = abi;
-    const at = writePoint(slots.a, point);
+    const at = writePoint(scratch.a, point);
     const [world, asked] = [this.address, contextAddress(context)];
-    const struct = slots.struct;
+    const struct = scratch.struct;
     const polygons = readIds(
       readList(8, (...list) => lib.ww_world_locate(world, at, asked, answer(layout), ...list)),
     );
@@ -193,7 +193,7 @@ export class World extends WorldHistory {
 
   /** Finds the items that contain a point, ascending. */
   itemsAt(point: Point, context?: QueryContext): ItemId[] {
-    const at = writePoint(slots.a, point);
+    const at = writePoint(scratch.a, point);
     const [world, asked] = [this.address, contextAddress(context)];
     return readIds(readList(8, (...list) => lib.ww_world_items_at(world, at, asked, ...list)));
   }
@@ -214,7 +214,7 @@ export class World extends WorldHistory {
 
   /** Finds the items that have a position in common with a closed box, ascending. */
   itemsIn(box: Box, context?: QueryContext): ItemId[] {
-    const given = writeBox(slots.box, box);
+    const given = writeBox(scratch.box, box);
     const [world, asked] = [this.address, contextAddress(context)];
     return readIds(readList(8, (...list) => lib.ww_world_items_in(world, given, asked, ...list)));
   }
@@ -235,12 +235,12 @@ export class World extends WorldHistory {
 
   /** Finds out whether a disc fits at a position. */
   fitDisc(centre: Point, radius: number, context?: QueryContext): DiscFit {
-    const [size, at] = [toNumber(radius, 'the radius'), writePoint(slots.a, centre)];
+    const [size, at] = [toNumber(radius, 'the radius'), writePoint(scratch.a, centre)];
     const [world, asked] = [this.address, contextAddress(context)];
     const items = readIds(
-      readList(8, (...list) => lib.ww_world_fit_disc(world, at, size, asked, slots.flag, ...list)),
+      readList(8, (...list) => lib.ww_world_fit_disc(world, at, size, asked, scratch.flag, ...list)),
     );
-    return { fits: get.flag(slots.flag), items };
+    return { fits: get.flag(scratch.flag), items };
   }
 
   /** Finds the nearest point where a disc fits. */
@@ -248,7 +248,7 @@ export class World extends WorldHistory {
     const { ww_nearest_fit_query: layout, ww_nearest_fit: fit } = abi;
     const { point, goal, radius = 0, limit = Infinity } = toObject(query, 'a query');
     const [at, end] = [copyPoint(point), goal === undefined ? null : copyPoint(goal)];
-    const struct = slots.struct2;
+    const struct = scratch.struct2;
     check(lib.ww_nearest_fit_query_init(struct, layout.size_));
     writePoint(struct + layout.point, at);
     if (end !== null) {
@@ -275,7 +275,7 @@ export class World extends WorldHistory {
 
   /** Lists the bridges that meet a closed box, for example `world.domain`. */
   bridges(box: Box, context?: QueryContext): Bridge[] {
-    const given = writeBox(slots.box, box);
+    const given = writeBox(scratch.box, box);
     const [world, asked] = [this.address, contextAddress(context)];
     return readBridges((...lists) => lib.ww_world_bridges(world, given, asked, ...lists));
   }
@@ -306,7 +306,7 @@ export class World extends WorldHistory {
     const [world, asked, into] = [this.address, contextAddress(context), ownAddressOf(Paths, paths)];
     arena.reset();
     const goals = packPoints(coordinates);
-    const struct = slots.struct2;
+    const struct = scratch.struct2;
     check(lib.ww_many_goals_query_init(struct, layout.size_));
     writePoint(struct + layout.start, from);
     put.size(struct + layout.goals, goals.address);
@@ -371,9 +371,9 @@ export class World extends WorldHistory {
     const { ww_changed_box: layout } = abi;
     const [world, version] = [this.address, toLong(since, 'version')];
     const { address, count } = readList(layout.size_, (...list) =>
-      lib.ww_world_changes_since(world, version, slots.flag, ...list),
+      lib.ww_world_changes_since(world, version, scratch.flag, ...list),
     );
-    if (!get.flag(slots.flag)) return null;
+    if (!get.flag(scratch.flag)) return null;
     return Array.from({ length: count }, (_, i) => {
       const struct = address + i * layout.size_;
       return {
@@ -410,21 +410,21 @@ export class World extends WorldHistory {
 
   /** The hash of the items: 32 hexadecimal digits. */
   itemsHash(): string {
-    check(lib.ww_world_items_hash(this.address, slots.struct));
-    return itemsHashAt(slots.struct);
+    check(lib.ww_world_items_hash(this.address, scratch.struct));
+    return itemsHashAt(scratch.struct);
   }
 
   /** The hash of the mesh: 64 hexadecimal digits. */
   meshHash(): string {
-    check(lib.ww_world_mesh_hash(this.address, slots.struct));
-    check(lib.ww_mesh_hash_text(slots.struct, slots.struct2, 65, 0));
-    return textAt(slots.struct2, 64);
+    check(lib.ww_world_mesh_hash(this.address, scratch.struct));
+    check(lib.ww_mesh_hash_text(scratch.struct, scratch.struct2, 65, 0));
+    return textAt(scratch.struct2, 64);
   }
 
   /** Checks the whole world, exactly. */
   validate(): Validation {
-    const fault = askText((text) => lib.ww_world_validate(this.address, slots.flag, text));
-    return { isValid: get.flag(slots.flag), fault };
+    const fault = askText((text) => lib.ww_world_validate(this.address, scratch.flag, text));
+    return { isValid: get.flag(scratch.flag), fault };
   }
 
   /** The memory of the world in bytes. */

@@ -1,7 +1,7 @@
 import { arena, flatten, packPoints, packText, type Points, toBytes } from './buffers.js';
 import { refuse, shown, toFlag, toNumber, toObject } from './errors.js';
 import * as abi from './generated/abi.js';
-import { check, lib, slots, withQuestion } from './runtime.js';
+import { check, lib, scratch, withQuestion } from './runtime.js';
 import { askCopy, askFlag, askId, askLong, askSize, type ItemId, put, toId, toLong } from './values.js';
 import { type Change, copyChanges, packChanges, WorldItems } from './world_items.js';
 
@@ -28,7 +28,7 @@ export function packWorldOptions(options: WorldOptions): number {
   const { ww_world_options: layout } = abi;
   const { keepAbstraction = true, keepBridges = false, newVertexLimit = Infinity } = toObject(options, 'the options');
   const [hasAbstraction, hasBridges] = [toFlag(keepAbstraction, 'keepAbstraction'), toFlag(keepBridges, 'keepBridges')];
-  const struct = slots.struct2;
+  const struct = scratch.struct2;
   check(lib.ww_world_options_init(struct, layout.size_));
   put.flag(struct + layout.keepAbstraction, hasAbstraction);
   put.flag(struct + layout.keepBridges, hasBridges);

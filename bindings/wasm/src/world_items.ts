@@ -3,7 +3,7 @@ import { refuse, shown, toObject } from './errors.js';
 import * as abi from './generated/abi.js';
 import { contextAddress, Handle, ownAddressOf, type QueryContext } from './handle.js';
 import { type Item, ItemList } from './items.js';
-import { check, lib, slots, withProgress } from './runtime.js';
+import { check, lib, scratch, withProgress } from './runtime.js';
 import { copyShape, packCopy, packShape, type Shape, type ShapeCopy } from './shape.js';
 import { askFlag, askId, askSize, type ItemId, put, readIds, toId, writeEnds, writePoint } from './values.js';
 
@@ -62,9 +62,9 @@ export function progressOf(options: BulkOptions): BulkOptions['progress'] {
 
 /** Writes options to a struct of the module. */
 export function packBulk(progress: BulkOptions['progress']): number {
-  check(lib.ww_bulk_options_init(slots.struct, abi.ww_bulk_options.size_));
-  if (progress !== undefined) lib.ww_js_report_progress(slots.struct);
-  return slots.struct;
+  check(lib.ww_bulk_options_init(scratch.struct, abi.ww_bulk_options.size_));
+  if (progress !== undefined) lib.ww_js_report_progress(scratch.struct);
+  return scratch.struct;
 }
 
 /** The part of World that changes and reads items. */
@@ -76,7 +76,7 @@ export abstract class WorldItems extends Handle {
   }
 
   insertPoint(point: Point, id: ItemId = 0): ItemId {
-    const [wanted, at] = [toId(id), writePoint(slots.a, point)];
+    const [wanted, at] = [toId(id), writePoint(scratch.a, point)];
     return askId((inserted) => lib.ww_world_insert_point(this.address, at, wanted, inserted));
   }
 
