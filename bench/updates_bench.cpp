@@ -17,20 +17,20 @@ namespace {
 
 /// Returns how many edges the line y = 0 crosses between their ends.
 std::size_t count_crossed(const MeshSnapshot& mesh) {
-  std::size_t sides = 0;
+  std::size_t edges = 0;
   for (const auto& triangle : mesh.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
       const double y = mesh.vertices[triangle[i]].y;
       const double next_y = mesh.vertices[triangle[(i + 1) % 3]].y;
-      sides += (y < 0 && next_y > 0) || (y > 0 && next_y < 0) ? 1 : 0;
+      edges += (y < 0 && next_y > 0) || (y > 0 && next_y < 0) ? 1 : 0;
     }
   }
-  return sides / 2;
+  return edges / 2;
 }
 
-/// Times the insertion of one wall and reports the time for each edge that it crosses.
+/// Times the insertion of one segment and reports the time for each edge that it crosses.
 void time_wall(benchmark::State& state, const Workload& workload) {
-  const Item& wall = workload.updates.front().inserted;
+  const Item& segment = workload.updates.front().inserted;
   std::size_t crossed = 0;
   for ([[maybe_unused]] const auto iteration : state) {
     state.PauseTiming();
@@ -39,7 +39,7 @@ void time_wall(benchmark::State& state, const Workload& workload) {
       for (const Item& item : workload.before) contender.insert(item);
       crossed = count_crossed(contender.snapshot());
       state.ResumeTiming();
-      contender.insert(wall);
+      contender.insert(segment);
       state.PauseTiming();
       if (const std::string fault = contender.fault(); !fault.empty()) state.SkipWithError(fault.c_str());
     }

@@ -69,7 +69,7 @@ enum class Crowd : unsigned char {
 /// them and inserts another at a random position.
 [[nodiscard]] Workload rts(Crowd crowd, std::size_t steps);
 
-/// Returns a wall between the ends of a narrow band of `count` random points. It crosses about half as many edges.
+/// Returns a segment between the ends of a narrow band of `count` random points. It crosses about half as many edges.
 [[nodiscard]] Workload long_wall(std::size_t count);
 
 /// Returns disjoint axis-aligned squares in a domain of 2^14, for path queries.

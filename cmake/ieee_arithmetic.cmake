@@ -25,6 +25,17 @@ else()
       -fno-math-errno)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     list(APPEND WAYWRIGHT_IEEE_OPTIONS -ftrapping-math -fno-single-precision-constant)
+    # When GCC vectorises code, it may fuse a multiplication with an addition despite -ffp-contract=off. On x86, it makes
+    # a vfmaddsub of two products that lie side by side, if the code adds a number to one product and subtracts a number
+    # from the other. So the library uses no instruction set with such instructions. For RISC-V, GCC fuses more. So for
+    # all other processors, GCC vectorises nothing.
+    include(CheckCXXCompilerFlag)
+    check_cxx_compiler_flag("-mno-fma -mno-fma4 -mno-avx512f" WAYWRIGHT_HAS_X86_OPTIONS)
+    if(WAYWRIGHT_HAS_X86_OPTIONS)
+      list(APPEND WAYWRIGHT_IEEE_OPTIONS -mno-fma -mno-fma4 -mno-avx512f)
+    else()
+      list(APPEND WAYWRIGHT_IEEE_OPTIONS -fno-tree-vectorize)
+    endif()
   else()
     # With -Ofast, clang assumes that the program flushes subnormal numbers to zero.
     list(APPEND WAYWRIGHT_IEEE_OPTIONS -fdenormal-fp-math=ieee)

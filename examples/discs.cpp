@@ -1,4 +1,4 @@
-// Discs of four sizes take four routes through one world, and a fifth one does not get through. docs/guides/discs.md
+// Discs of four sizes take four paths through one world, and a fifth one does not get through. docs/guides/discs.md
 // explains this example.
 
 #include <cstdio>
@@ -44,7 +44,7 @@ void print_pieces(const Path& path) {
   }
 }
 
-void print_routes(const World& world) {
+void print_paths(const World& world) {
   for (const double radius : {1.0, 2.5, 5.0, 9.0, 10.0}) {
     const Path path = world.find_path({.start = kStart, .goal = kGoal, .radius = radius}).value();
     if (path.status == PathStatus::found) {
@@ -76,7 +76,7 @@ void print_widest(World& world) {
 
 int main() {
   World world = make_world();
-  print_routes(world);
+  print_paths(world);
   std::puts("the pieces for radius 2.5:");
   print_pieces(world.find_path({.start = kStart, .goal = kGoal, .radius = 2.5}).value());
   print_fits(world);

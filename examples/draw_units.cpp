@@ -19,7 +19,7 @@ using waywright::World;
 struct Unit {
   std::string name;
   Point at;
-  Point target;
+  Point goal;
   double radius = 1.0;
   bool is_ours = true;
 };
@@ -63,7 +63,7 @@ std::string draw(const World& world, const std::vector<Unit>& units) {
   waywright::SvgOverlay overlay;
   for (const Unit& unit : units) {
     const std::string colour = unit.is_ours ? "#0072b2" : "#d55e00";
-    const Path path = world.find_path({.start = unit.at, .goal = unit.target}).value();
+    const Path path = world.find_path({.start = unit.at, .goal = unit.goal}).value();
     overlay.polylines.push_back({.points = path.points, .width = 2.0, .dashed = true, .colour = colour});
     overlay.discs.push_back({unit.at, unit.radius, colour, unit.name + ", " + rounded(path.length) + " to go"});
     overlay.labels.push_back({.at = unit.at, .text = unit.name, .radius = unit.radius});

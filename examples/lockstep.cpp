@@ -54,6 +54,6 @@ int main() {
     is_right = is_right && world->find_path(query).value().points == path.points;
     is_right = is_right && world->mesh_hash() == first.mesh_hash();
   }
-  std::printf("and units take the same path, around %zu corners\n", path.points.size() - 2);
+  std::printf("and units take the same path, with %zu turns\n", path.points.size() - 2);
   return is_right ? 0 : 1;
 }

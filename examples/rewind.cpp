@@ -58,7 +58,9 @@ void watch_paths(World& world) {
   PathChanges changes;
   world.insert(kBarn, 2).value();
   watch.update(world, changes);
-  for (const std::uint64_t agent : changes.blocked) std::printf("agent %d is blocked\n", static_cast<int>(agent));
+  for (const std::uint64_t agent : changes.blocked) {
+    std::printf("the path of agent %d is blocked\n", static_cast<int>(agent));
+  }
   world.remove(1).value();
   watch.update(world, changes);
   for (const std::uint64_t agent : changes.may_be_too_long) {

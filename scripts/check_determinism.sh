@@ -11,26 +11,22 @@ read -r -a compilers <<<"${COMPILERS:-g++-12 clang++-14}"
 levels=("-O0" "-O2" "-O3 -DNDEBUG" "-O3 -DNDEBUG -march=native")
 jobs=${WAYWRIGHT_JOBS:-$(nproc)}
 root=build/determinism
+mkdir -p "$root"
 
-list_sources() {
-  find src -name '*.cpp' | sort
-  printf '%s\n' tests/determinism/print_meshes.cpp tests/support/random_changes.cpp tests/support/random_scenes.cpp
-}
-
-# build FOLDER COMPILER FLAG...
+# build FOLDER COMPILER FLAGS: builds the program with CMake. United sources take less time (cmake/unity.cmake).
 build() {
-  local folder=$1
-  shift
-  local compile=("$@" -std=c++20 -ffp-contract=off -Iinclude -Isrc -Itests)
-  if command -v ccache >/dev/null; then compile=(ccache "${compile[@]}"); fi
-  rm -rf "$folder"
-  mkdir -p "$folder"
-  # shellcheck disable=SC2016 # the inner shell is to expand these
-  list_sources | xargs -P "$jobs" -I '{}' \
-    bash -c 'source=$1 folder=$2; shift 2; "$@" -c "$source" -o "$folder/${source//\//_}.o"' \
-    compile '{}' "$folder" "${compile[@]}"
-  "$1" "$folder"/*.o -o "$folder/print_meshes"
-  rm "$folder"/*.o
+  local options=(-DCMAKE_CXX_COMPILER="$2" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="$3" -DWAYWRIGHT_UNITY=8)
+  local part
+  for part in TESTS TOOLS C EXAMPLES; do options+=("-DWAYWRIGHT_BUILD_$part=OFF"); done
+  if command -v ccache >/dev/null; then options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+  rm -rf "$1"
+  if ! { cmake -S . -B "$1" -G Ninja "${options[@]}" &&
+    cmake --build "$1" --parallel "$jobs" --target waywright_print_meshes; } >"$1.log" 2>&1; then
+    tail -n 40 "$1.log" >&2
+    printf '%s\n' "check_determinism: the build in $1 failed; the whole output is in $1.log" >&2
+    exit 1
+  fi
+  mv "$1/tests/determinism/waywright_print_meshes" "$1/print_meshes"
 }
 
 reference=
@@ -43,9 +39,7 @@ for compiler in "${compilers[@]}"; do
   fi
   for level in "${levels[@]}"; do
     name=$compiler${level// /}
-    # Word splitting is wanted: one argument a flag.
-    # shellcheck disable=SC2086
-    build "$root/$name" "$compiler" $level
+    build "$root/$name" "$compiler" "$level"
     output=$root/$name/output
     "$root/$name/print_meshes" >"$output"
     reference=${reference:-$output}

@@ -45,7 +45,7 @@ TO_SYSTEM = "belongs in tools/waywright/platform.cpp"
 RULES = [
     Rule(r"__builtin_\w+", TO_COMPILER, COMPILER_FILES),
     Rule(r"__attribute__|__declspec|__forceinline", TO_COMPILER, COMPILER_FILES),
-    Rule(r"\[\[\s*(?:gnu|clang|msvc)::\w+|\[\[\s*using\b", TO_COMPILER, COMPILER_FILES),
+    Rule(r"\[\[(?:[^\]]*\W)?(?:gnu|clang|msvc)::\w+|\[\[\s*using\b", TO_COMPILER, COMPILER_FILES),
     Rule(r"\b__u?int128(?:_t)?\b|__SIZEOF_INT128__", TO_COMPILER, COMPILER_FILES),
     Rule(r"__extension__|__typeof__|\btypeof\b|__restrict", TO_COMPILER, COMPILER_FILES),
     Rule(r"\b_mm\w*_\w+|\b\w*mmintrin\b|\barm_neon\b", TO_COMPILER, COMPILER_FILES),

@@ -331,7 +331,7 @@ void polygon_around_boxes(std::size_t n, Meter& meter) {
   insert_and_remove(world, square({0, 0}, 900), meter);
 }
 
-/// Each operation moves ten boxes at random places.
+/// Each operation moves ten boxes at random positions.
 void ten_moves_at_once(std::size_t n, Meter& meter) {
   World world = World::create(kGrowthDomain).value();
   insert_boxes(world, n);
@@ -371,9 +371,9 @@ void rooms_at_once(std::size_t n, Meter& meter) {
 }
 
 constexpr Input kInputs[] = {
-    {"contours_outermost_first", 200, false, "n nested contours of 100 corners, removed outermost first",
+    {"contours_outermost_first", 200, false, "n nested polygons of 100 corners, removed outermost first",
      contours_outermost_first},
-    {"contours_in_random_order", 200, false, "n nested contours of 100 corners, removed in random order",
+    {"contours_in_random_order", 200, false, "n nested polygons of 100 corners, removed in random order",
      contours_in_random_order},
     {"squares_outermost_first", 4000, false, "n nested squares, inserted outermost first", squares_outermost_first},
     {"squares_innermost_first", 4000, false, "n nested squares, inserted innermost first", squares_innermost_first},
@@ -398,8 +398,8 @@ constexpr Input kInputs[] = {
     {"one_crossing_inserted", 4000, false, "n segments through one crossing, inserted", one_crossing_inserted},
     {"one_crossing_removed", 1000, false, "n segments through one crossing, removed", one_crossing_removed},
     {"hub_removed", 10000, false, "a vertex with n neighbours, removed", hub_removed},
-    {"wall_between_curves", 10000, false, "a wall across n edges between two curves, inserted", wall_between_curves},
-    {"rooms_at_once", 2000, false, "n walls across a hall, inserted by one operation", rooms_at_once},
+    {"wall_between_curves", 10000, false, "a segment across n edges between two curves, inserted", wall_between_curves},
+    {"rooms_at_once", 2000, false, "n segments across a hall, inserted by one operation", rooms_at_once},
     {"path_round_a_polygon", 10000, false, "the shortest path round a convex polygon of n corners",
      path_round_a_polygon},
     {"small_in_large_domain", 20000, false, "n points of a square 1,000 wide in a domain of ±1e15, each with a query",
@@ -410,7 +410,7 @@ constexpr Input kInputs[] = {
     {"many_scales", 10000, false, "n points with coordinates from 2^-90 to 2^90, inserted", many_scales},
     {"door", 10000, true, "a door between two halves with n boxes, shut and opened", door},
     {"polygon_around_boxes", 10000, true, "a polygon around n boxes, inserted and removed", polygon_around_boxes},
-    {"ten_moves_at_once", 10000, true, "ten of n boxes at random places, moved by one operation", ten_moves_at_once},
+    {"ten_moves_at_once", 10000, true, "ten of n boxes at random positions, moved by one operation", ten_moves_at_once},
 };
 
 }  // namespace

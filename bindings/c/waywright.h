@@ -919,7 +919,7 @@ typedef struct ww_mesh_hash {
   uint8_t bytes[32];
 } ww_mesh_hash;
 
-/* The corners of a triangle, as indices in the list of vertices; counter-clockwise, from the smallest. */
+/* The vertices of a triangle, as indices in the list of vertices; counter-clockwise, from the smallest. */
 typedef struct ww_triangle {
   uint32_t vertices[3];
 } ww_triangle;

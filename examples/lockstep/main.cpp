@@ -23,12 +23,12 @@ constexpr char kUsage[] = R"(usage: lockstep_game --host | --join PORT | --watch
   --agents N    host: the number of agents (3200)
   --rocks N     host: the number of rocks, of 12 triangles each (1500)
   --queries N   host: the largest number of path queries in a tick (16)
-  --watchers N  host: waits at half time for so many machines that watch (0)
+  --watchers N  host: in the middle of the game, waits until N machines watch (0)
   --threads N   threads for path queries (1)
   --rate N      frames in a second; 0 for as many as possible (60)
-  --seed N      of the network's faults (1)
-  --loss SHARE  of the packets that never arrive (0.03)
-  --late SHARE  of the packets that arrive too late to predict until then (0.01)
+  --seed N      the seed of the random faults of the network (1)
+  --loss SHARE  the share of the packets that never arrive (0.03)
+  --late SHARE  the share of the packets that arrive later than the machines can predict (0.01)
   --delay N     the longest delay of the other packets in frames (6)
   --log FILE    writes a replay log, for `waywright replay`
   --damage N    damages the state at tick N, to show that the machines notice it

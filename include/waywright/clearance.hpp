@@ -17,8 +17,8 @@ namespace waywright {
 ///
 /// @code{.cpp}
 /// const DiscFit fit = world.fit_disc({30, 50}, 12).value();  // the house begins at x = 40
-/// const bool is_free = fit.fits;                             // == false
-/// const ItemId obstacle = fit.items.front();                 // == 1
+/// const bool has_room = fit.fits;                            // == false
+/// const ItemId first = fit.items.front();                    // == 1
 /// @endcode
 struct DiscFit {
   bool fits = false;  ///< whether no item and no border of the domain stops the disc
@@ -88,7 +88,7 @@ struct NearestFit {
 /// const ItemId above = widest.to_items.front();  // == 2
 /// @endcode
 ///
-/// Source: Pollack, *The maximum capacity through a network*, 1960. The gaps are Gabriel edges (Gabriel and Sokal
+/// Source: Pollack, *The maximum capacity through a network*, 1960. The bridges are Gabriel edges (Gabriel and Sokal
 /// 1969).
 struct WidestPath {
   /// Whether a disc of some radius above 0 can move from the start to the goal. This is impossible, for example, if the

@@ -60,7 +60,7 @@ struct PointName {
   constexpr PointName() = default;
   template <std::size_t N>
   constexpr PointName(const char (&literal)[N]) : name(literal) {}
-  constexpr PointName(const char* literal, std::size_t position) : name(literal), number(position), has_number(true) {}
+  constexpr PointName(const char* literal, std::size_t index) : name(literal), number(index), has_number(true) {}
 
   const char* name = nullptr;
   std::uint64_t number = 0;

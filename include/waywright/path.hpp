@@ -217,8 +217,8 @@ struct WAYWRIGHT_API Path {
   std::vector<Portal> channel;
   /// The number of triangles that the search entered. If the query has a radius above 0, the member also counts the
   /// straight lines that the search took from its open list. PathAlgorithm::tra counts only the triangles at which it
-  /// had a choice. For a disc, it also counts the triangles at which it left a long corridor, for the moment, because
-  /// another triangle promised a shorter path. If the straight segment from the start to the goal of a point agent
+  /// had a choice. For a disc, it also counts the triangles of long corridors at which the search stopped for a while,
+  /// because another triangle had a smaller bound. If the straight segment from the start to the goal of a point agent
   /// meets no wall, and no vertex between its ends, the member is the number of edges that this segment crosses.
   std::size_t expansions = 0;
   /// The time that the search took. It is 0 if PathQuery::wants_time is false.

@@ -4,8 +4,9 @@
 // operation rounded once, to nearest. Compiler flags can change this arithmetic, so every source file that computes in
 // doubles includes this header, and the compiler refuses the flags that it can detect here. The CMake targets switch
 // these flags off (cmake/ieee_arithmetic.cmake). base/float_environment.hpp handles the settings that a program changes
-// at run time. No macro says whether a compiler fuses multiplications with additions. So tests/hostile compares the
-// answers of builds with and without the flags that allow this.
+// at run time. No macro says whether a compiler fuses multiplications with additions. So this header refuses the
+// instruction sets for which GCC ignores -ffp-contract=off, and tests/hostile compares the answers of builds with and
+// without the flags that allow fused instructions.
 
 #if (defined(__i386__) && !defined(__SSE2_MATH__)) || (defined(_M_IX86) && _M_IX86_FP < 2)
 #error "Waywright cannot use the x87 unit, which rounds doubles twice: on 32-bit x86, add -msse2 -mfpmath=sse"
@@ -20,6 +21,11 @@
 // GCC 12 and later define these macros.
 #if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
 #error "Waywright needs IEEE 754 arithmetic: compile without -fassociative-math and -freciprocal-math"
+#endif
+// GCC uses these instructions in vectorised code despite -ffp-contract=off: see cmake/ieee_arithmetic.cmake.
+#if defined(__GNUC__) && !defined(__clang__) && (defined(__FMA__) || defined(__FMA4__) || defined(__AVX512F__))
+#error \
+    "Waywright needs unfused multiplications: compile its sources with -mno-fma -mno-fma4 -mno-avx512f, or use its CMake target"
 #endif
 #if defined(_MSC_VER) && !defined(__clang__)
 #pragma fp_contract(off)  // before Visual Studio 2022, /fp:precise fuses multiplications with additions

@@ -18,8 +18,8 @@ namespace {
 /// most faces of the mesh.
 constexpr std::size_t kFewFaces = 1000;
 
-/// Marks a face that does not lie in the domain, among the faces with noted angles. At least two angles of a triangle
-/// are acute.
+/// The value of `acute_` for a face outside the domain. No face of the domain has this value, because at least two of
+/// its angles are acute.
 constexpr std::uint8_t kNotInDomain = 0;
 
 }  // namespace
@@ -122,8 +122,9 @@ void Bridges::swap_bridges(Bridges& other) {
 /// Removes three kinds of bridges: along an edge of a touched face, from a corner of such a face, and to a wall that is
 /// an edge of such a face. Then finds the first two kinds again. find_beyond() finds the third kind again.
 ///
-/// If the other face of an edge is not touched, its half-edge still says whether the edge was a bridge before. That has
-/// changed only if a changed wall touches the closed disc of the edge.
+/// If the other face of an edge is not touched, the half-edge in that face still says whether the edge was a bridge
+/// before the operation. The edge is a bridge now if and only if it was one before, unless a changed wall touches its
+/// closed disc.
 void Bridges::find_in_touched(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto is_in_domain = [&](Face f) { return triangulation.triangulation().is_in_domain(f); };

@@ -70,17 +70,17 @@ bool NearWalls::has_no_nearer_wall(const Triangulation& triangulation, const Poi
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
   const Distances distances(triangulation, point);
-  bool is_free = true;
-  const auto is_near = [&](HalfEdge h) { return is_free && distances.to(h).least < radius; };
+  bool is_clear = true;
+  const auto is_near = [&](HalfEdge h) { return is_clear && distances.to(h).least < radius; };
   flood(
       triangulation, point, [&](HalfEdge h) { return !mesh.is_fixed(h) && is_near(h); },
       [&](HalfEdge h) {
         if (!mesh.is_fixed(h) || !is_near(h)) return;
         const constraint::Side& side = triangulation.any_side(h);
-        is_free = exact::compare_distance(point, geometry.rounded(number(side.from)), geometry.rounded(number(side.to)),
-                                          radius) >= 0;
+        is_clear = exact::compare_distance(point, geometry.rounded(number(side.from)),
+                                           geometry.rounded(number(side.to)), radius) >= 0;
       });
-  return is_free;
+  return is_clear;
 }
 
 void NearWalls::find_items(const Triangulation& triangulation, const Point& point, double radius,

@@ -40,8 +40,8 @@ class CoverFinder {
   /// The faces around the location that no polygon covers, each as one of its half-edges. If the location is a vertex,
   /// this half-edge starts there. If the location is an edge, the half-edge lies on that edge. If the location is a
   /// face, the half-edge starts at the vertex of the face that comes first in (x, y) order. The order of the faces
-  /// depends only on the geometry of the mesh. At a vertex they are counter-clockwise, from its first neighbour in (x,
-  /// y) order on. At an edge, directed in (x, y) order, the face on its left comes first.
+  /// depends only on the positions of the vertices and on the edges. At a vertex they are counter-clockwise, from its
+  /// first neighbour in (x, y) order on. At an edge, directed in (x, y) order, the face on its left comes first.
   const std::vector<mesh::HalfEdge>& open_faces(const ExactTriangulation& triangulation,
                                                 const locate::Located& location);
 

@@ -23,8 +23,8 @@ struct ItemQueryScratch {
   SlotSet reached;
 };
 
-/// Finds the items that cover a point or have a side or corner there, in ascending order of ids. `cover` finds the
-/// polygons.
+/// Finds the items that cover a point or have a side or corner there, in ascending order of ids. `cover_finder`
+/// finds the polygons.
 void items_at(const ExactTriangulation& triangulation, CoverFinder& cover_finder, const Point& point,
               ItemQueryScratch& scratch, std::vector<ItemId>& result);
 
@@ -37,8 +37,8 @@ void items_crossed(const ExactTriangulation& triangulation, const Point& from, c
 /// Finds the first constrained edge that the segment touches, in the direction from `from` to `to`.
 void first_wall(const ExactTriangulation& triangulation, const Point& from, const Point& to, RayHit& hit);
 
-/// Finds the items that have a point in common with the closed box, in ascending order of ids. `cover` finds the
-/// polygons. Requires: the box meets the domain.
+/// Finds the items that have a point in common with the closed box, in ascending order of ids. `cover_finder`
+/// finds the polygons. Requires: the box meets the domain.
 void items_in(const ExactTriangulation& triangulation, CoverFinder& cover_finder, const Box& box,
               ItemQueryScratch& scratch, std::vector<ItemId>& result);
 

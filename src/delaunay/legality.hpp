@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "base/compiler.hpp"
 #include "exact/sign.hpp"
 #include "mesh/index.hpp"
 
@@ -12,7 +13,8 @@ namespace waywright::delaunay {
 /// Whether an edge is legal if its four vertices lie on a circle: the first of them in (x, y) order is one of its ends.
 /// Not inlined: ties are rare, and without this code is_legal() can keep its data in registers.
 template <class Geometry, class Mesh>
-[[nodiscard, gnu::noinline]] bool is_legal_on_circle(const Geometry& geometry, const Mesh& mesh, mesh::HalfEdge h) {
+[[nodiscard]] WAYWRIGHT_NO_INLINE bool is_legal_on_circle(const Geometry& geometry, const Mesh& mesh,
+                                                          mesh::HalfEdge h) {
   const mesh::HalfEdge t = mesh.twin(h);
   const auto first_of = [&](mesh::Vertex p, mesh::Vertex q) {
     return geometry.order(geometry.view(number(p)), geometry.view(number(q))) < 0 ? p : q;
@@ -41,8 +43,8 @@ template <class Geometry, class Mesh>
   return is_legal(geometry, mesh, h, geometry.view(number(mesh.apex(h))));
 }
 
-// A flip rebuilds two faces. Afterwards, half-edges on the stack may represent other edges. The function pushes all
-// edges of the rebuilt faces again and therefore misses none.
+// A flip rebuilds two faces. Afterwards, half-edges on the stack may represent other edges. So the function pushes the
+// four outer edges of the two faces again. The edge between the two faces is legal after the flip.
 /// Flips the edges in `freed`, and the edges that these flips make illegal, until every free edge is legal. Empties
 /// `freed`.
 template <class Geometry, class Mesh>

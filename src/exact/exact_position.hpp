@@ -13,7 +13,7 @@ struct PointPair {
   friend constexpr bool operator==(const PointPair&, const PointPair&) = default;
 };
 
-/// The point where the line through the points `ab` meets the line through the points `cd`. These four points are
+/// The position at which the line through the points `ab` meets the line through the points `cd`. These four points are
 /// always explicit, never constructed, so the degree of the predicates does not grow with the number of operations.
 /// Requires: the lines are not parallel.
 struct Crossing {

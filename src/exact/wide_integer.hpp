@@ -118,15 +118,15 @@ class WideInteger {
   template <std::size_t kA, std::size_t kB>
   friend constexpr WideInteger<kA + kB> operator*(const WideInteger<kA>& a, const WideInteger<kB>& b);
 
-  /// Subtracts `other` times 2^(64 position), modulo 2^(64 kLimbs).
+  /// Subtracts `other` times 2^(64 shift), modulo 2^(64 kLimbs).
   template <std::size_t kOther>
-  constexpr void subtract_from(std::size_t position, const WideInteger<kOther>& other) {
+  constexpr void subtract_from(std::size_t shift, const WideInteger<kOther>& other) {
     std::uint64_t borrow = 0;
-    for (std::size_t i = position; i < kLimbs && i - position < kOther; ++i) {
+    for (std::size_t i = shift; i < kLimbs && i - shift < kOther; ++i) {
       const std::uint64_t limb = limbs_[i];
       const std::uint64_t less = limb - borrow;
       borrow = less > limb ? 1 : 0;
-      limbs_[i] = less - other.limbs_[i - position];
+      limbs_[i] = less - other.limbs_[i - shift];
       borrow += limbs_[i] > less ? 1 : 0;
     }
   }

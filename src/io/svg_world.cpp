@@ -185,7 +185,7 @@ class WorldDrawer {
   }
 
   [[nodiscard]] std::string draw_solids() const {
-    std::string out = open_group("solids", Ink::solid, Ink::solid_edge, strokes_.solid) + " fill-rule=\"evenodd\">\n";
+    std::string out = open_group("polygons", Ink::solid, Ink::solid_edge, strokes_.solid) + " fill-rule=\"evenodd\">\n";
     for (const Item& item : items_.solids) {
       PathData data(frame_);
       for (const PointSpan ring : item.shape.rings) data.add_ring(ring);
@@ -262,7 +262,7 @@ class WorldDrawer {
     const auto add = [&](std::size_t count, std::string sample, std::string_view one, std::string_view many) {
       if (count > 0) entries.push_back({std::move(sample), counted(count, one, many)});
     };
-    add(items_.solids.size(), solid_sample(), "solid", "solids");
+    add(items_.solids.size(), solid_sample(), "polygon", "polygons");
     add(items_.polylines.size(), line_sample(palette_, {Ink::wall}, 3.2), "polyline", "polylines");
     add(items_.dots.size(), dot_sample(), "point", "points");
     if (options_.mesh) entries.push_back({line_sample(palette_, {Ink::mesh}, 1.2), mesh_text(is_too_large)});

@@ -23,8 +23,8 @@ namespace waywright::locate {
 /// removed in the meantime.
 ///
 /// The number of sectors grows with the number of vertices, so on evenly distributed vertices a walk is short in a
-/// world of any size. These sectors are the *whole sectors*: equal squares, divided or not. If a sector contains many
-/// vertices, an operation divides it into four quarters, and may later divide these again. So walks are short on
+/// world of any size. These sectors are equal squares, the *whole sectors*. If a sector contains many vertices, an
+/// operation divides it into four quarters, and may later divide these again. So walks are short on
 /// unevenly distributed vertices, too. If a sector is as small as a square of the curve, it gets a finer curve of its
 /// own (a *zoom*). The division depends on the history of the world, but the result of a search does not.
 ///

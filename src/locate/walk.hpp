@@ -24,13 +24,13 @@ struct Located {
 /// The location of a point in the closed face of `h`, from its orientations relative to `h`, to the next and to the
 /// previous half-edge. For a point inside the face, `h` of the result is the first half-edge of the face. Requires: no
 /// orientation is negative.
-inline Located locate_in_face(mesh::HalfEdge h, exact::Sign side, exact::Sign next_side, exact::Sign previous_side) {
+inline Located locate_in_face(mesh::HalfEdge h, exact::Sign h_side, exact::Sign next_side, exact::Sign previous_side) {
   using exact::Sign;
   const mesh::HalfEdge next = mesh::next(h);
   const mesh::HalfEdge previous = mesh::previous(h);
   const bool on_next = next_side == Sign::zero;
   const bool on_previous = previous_side == Sign::zero;
-  if (side == Sign::zero) {
+  if (h_side == Sign::zero) {
     if (on_previous) return {LocatedKind::vertex, h, 0};
     return on_next ? Located{LocatedKind::vertex, next, 0} : Located{LocatedKind::edge, h, 0};
   }

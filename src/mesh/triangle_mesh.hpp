@@ -29,14 +29,14 @@ using Label = std::uint32_t;
 /// its vertex or face is freed. A flip rebuilds two faces, and afterwards other half-edges may represent the edges of
 /// these faces.
 ///
-/// An undo log (memory::Journal) records all changes since begin(). roll_back() takes these changes back. The log also
-/// lists the faces and vertices that the changes touched.
+/// An undo log (memory::Journal) records all edits since begin(). roll_back() takes these edits back. The log also
+/// lists the faces and vertices that the edits touched.
 ///
 /// Source: Chen 2009, section 3.1 (half-edges, vertex and face loops: algorithms 1 and 2).
 class TriangleMesh {
  public:
-  /// What a change since begin() did to a face or vertex. A face or vertex that several changes touched is listed
-  /// several times, in the order of the changes.
+  /// What an edit since begin() did to a face or vertex. A face or vertex that several edits touched is listed several
+  /// times, in the order of the edits.
   enum class Touch : std::uint8_t {
     made,
     rebuilt,  ///< its vertices or neighbours have changed, or one of its edges became fixed or free
@@ -163,35 +163,35 @@ class TriangleMesh {
 
   /// Empties the undo log.
   void begin();
-  /// Undoes all changes since begin(), the last change first. Allocates nothing. Afterwards the undo log is empty.
+  /// Undoes all edits since begin(), the last edit first. Allocates nothing. Afterwards the undo log is empty.
   void roll_back();
-  /// Calls visit(face, touch) for each change of a face since begin(), in order. The next function does the same for
+  /// Calls visit(face, touch) for each edit of a face since begin(), in order. The next function does the same for
   /// vertices: it calls visit(vertex, touch) for each new or removed vertex.
   template <class Visit>
   void for_each_touched_face(Visit&& visit) const {
-    journal_.for_each([&](const Undo& change) {
-      switch (change.kind) {
+    journal_.for_each([&](const Undo& edit) {
+      switch (edit.kind) {
         case EditKind::add_face:
-          visit(Face{change.index}, Touch::made);
+          visit(Face{edit.index}, Touch::made);
           break;
         case EditKind::free_face:
-          visit(Face{change.index}, Touch::freed);
+          visit(Face{edit.index}, Touch::freed);
           break;
         case EditKind::rebuild_face:
         case EditKind::split_face:
-          visit(Face{change.index}, Touch::rebuilt);
+          visit(Face{edit.index}, Touch::rebuilt);
           break;
         case EditKind::split_edge:
         case EditKind::flip:
-          visit(face(HalfEdge{change.saved}), Touch::rebuilt);
+          visit(face(HalfEdge{edit.saved}), Touch::rebuilt);
           [[fallthrough]];
         case EditKind::set_label:
         case EditKind::set_label_of_twin:
-          visit(face(HalfEdge{change.index}), Touch::rebuilt);
+          visit(face(HalfEdge{edit.index}), Touch::rebuilt);
           break;
         case EditKind::relabel:
         case EditKind::relabel_twin:
-          visit(face(HalfEdge{change.index}), Touch::relabelled);
+          visit(face(HalfEdge{edit.index}), Touch::relabelled);
           break;
         case EditKind::add_vertex:
         case EditKind::free_vertex:
@@ -202,9 +202,9 @@ class TriangleMesh {
   }
   template <class Visit>
   void for_each_touched_vertex(Visit&& visit) const {
-    journal_.for_each([&](const Undo& change) {
-      if (change.kind == EditKind::add_vertex) visit(Vertex{change.index}, Touch::made);
-      if (change.kind == EditKind::free_vertex) visit(Vertex{change.index}, Touch::freed);
+    journal_.for_each([&](const Undo& edit) {
+      if (edit.kind == EditKind::add_vertex) visit(Vertex{edit.index}, Touch::made);
+      if (edit.kind == EditKind::free_vertex) visit(Vertex{edit.index}, Touch::freed);
     });
   }
 
@@ -261,7 +261,7 @@ class TriangleMesh {
   using SavedFace = std::array<HalfEdgeRecord, 3>;
 
   void log(EditKind kind, std::uint32_t index, std::uint32_t saved = 0) { journal_.add({kind, index, saved}); }
-  void undo(const Undo& change);
+  void undo(const Undo& edit);
   void undo_split_face(Face f);
   void undo_split_edge(HalfEdge h);
   void undo_flip(HalfEdge h);

@@ -1,7 +1,7 @@
 #include "mesh/triangle_mesh.hpp"
 
-// Undoes changes. Each change is undone in exactly the mesh that it produced, so every index in its record has the same
-// meaning as when the record was made. Nothing here allocates.
+// Undoes edits. The code undoes each edit in exactly the mesh that the edit produced, so every index in its record has
+// the same meaning as when the record was made. Nothing here allocates.
 
 namespace waywright::mesh {
 
@@ -11,45 +11,45 @@ void TriangleMesh::begin() {
 }
 
 void TriangleMesh::roll_back() {
-  journal_.roll_back([&](const Undo& change) { undo(change); });
+  journal_.roll_back([&](const Undo& edit) { undo(edit); });
   begin();
 }
 
-void TriangleMesh::undo(const Undo& change) {
-  switch (change.kind) {
+void TriangleMesh::undo(const Undo& edit) {
+  switch (edit.kind) {
     case EditKind::add_vertex:
-      push_free_vertex(Vertex{change.index});
+      push_free_vertex(Vertex{edit.index});
       break;
     case EditKind::free_vertex:
       (void)pop_free_vertex();
       break;
     case EditKind::add_face:
-      push_free_face(Face{change.index});
+      push_free_face(Face{edit.index});
       break;
     case EditKind::free_face:
       (void)pop_free_face();
       break;
     case EditKind::rebuild_face:
-      restore(Face{change.index}, saved_faces_[change.saved]);
+      restore(Face{edit.index}, saved_faces_[edit.saved]);
       break;
     case EditKind::split_face:
-      undo_split_face(Face{change.index});
+      undo_split_face(Face{edit.index});
       break;
     case EditKind::split_edge:
-      undo_split_edge(HalfEdge{change.index});
+      undo_split_edge(HalfEdge{edit.index});
       break;
     case EditKind::flip:
-      undo_flip(HalfEdge{change.index});
+      undo_flip(HalfEdge{edit.index});
       break;
     case EditKind::set_label:
     case EditKind::relabel:
-      write_label(HalfEdge{change.index}, change.saved);
+      write_label(HalfEdge{edit.index}, edit.saved);
       break;
     case EditKind::set_label_of_twin:
     case EditKind::relabel_twin:
       break;
     case EditKind::rebuild_label:
-      labels_[change.index] = change.saved;
+      labels_[edit.index] = edit.saved;
       break;
   }
 }

@@ -37,7 +37,8 @@ class Components {
   using Id = std::uint32_t;
   static constexpr Id kNone = 0xffffffff;
 
-  /// Finds the components of a triangulation. Cost: linear. Needs scratch memory only for the walls between components.
+  /// Finds the components of a triangulation. Cost: linear. Needs scratch memory for the components and the walls
+  /// between them.
   explicit Components(const constraint::ExactTriangulation& triangulation);
 
   /// Returns the component of a face in the domain.

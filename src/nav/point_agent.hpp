@@ -4,13 +4,14 @@
 
 namespace waywright::nav {
 
-/// Says which edges of a mesh an agent without extent can cross. The searches and the abstraction use only this class
-/// to decide this. TriangleMesh::is_fixed is another question: it says which edges the mesh must keep. An agent of
-/// another kind may be able to cross some fixed edges, or may be too large for some free edges.
+/// Says which edges of a mesh an agent without extent can cross. The searches for point agents and the abstraction use
+/// only this class to decide this. (The searches for discs read the walls and bridges of a path::DiscMap.)
+/// TriangleMesh::is_fixed is another question: it says which edges the mesh must keep. An agent of another kind may be
+/// able to cross some fixed edges, or may be too large for some free edges.
 ///
-/// For a point agent every constrained edge is a wall. An agent of another kind needs a class like this one. That class
-/// says which edges the agent can cross, which width the agent needs, and how much it costs the agent to cross an edge.
-/// The functions are inline and the class has no state. So a call costs no more than a call of TriangleMesh::is_fixed.
+/// For a point agent every constrained edge is a wall. Another kind of point agent needs a class with the same
+/// function. The function is inline and the class has no state. So a call costs no more than a call of
+/// TriangleMesh::is_fixed.
 class PointAgent {
  public:
   /// Returns whether the agent can cross the edge of `h`, so that the edge is a passage between its two faces.

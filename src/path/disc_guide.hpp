@@ -27,11 +27,11 @@ namespace waywright::path {
 ///   distance, and this distance is at most r longer than the rest of P.
 /// - A straight line of P leads from one pivot or end to the next. The segment between their vertices lies in the
 ///   strip that the disc sweeps, so no wall meets it, and for the reason above no closed bridge meets it. Consider a
-///   point of this segment. The nearest position on the line of P is at most r away. The segment from the point to this
-///   position crosses no closed edge: a closed edge that crosses this segment would end in the strip, or would cross P,
-///   the segment between the vertices, or a segment from a vertex to a position of P. All of these are impossible. So a
-///   path of the guide that is not longer than l + 2 r leads through each point of the segment between the vertices,
-///   and the guide has followed a window across each edge that this segment crosses.
+///   position on this segment. The nearest position on the line of P is at most r away. The segment between these two
+///   positions crosses no closed edge: a closed edge that crosses this segment would end in the strip, or would cross
+///   P, the segment between the vertices, or a segment from a vertex to a position of P. All of these are impossible.
+///   So a path of the guide that is not longer than l + 2 r leads through each position on the segment between the
+///   vertices, and the guide has followed a window across each edge that this segment crosses.
 ///
 /// The guide enters no dead end without the start, but a vertex of P may lie there: the disc may touch it while its
 /// centre is outside of the dead end. GuideDistances::is_unknown() recognises these vertices and the edges in dead
@@ -40,9 +40,9 @@ namespace waywright::path {
 /// same edge. The straight piece of this edge between these two positions is not longer than the detour through the
 /// dead end.
 ///
-/// If a path that is shorter than the limit leads through a point, Optimal keeps a shortest path to this point, not
+/// If a path that is shorter than the limit leads through a position, Optimal keeps a shortest path to it, not
 /// only to the goal. The reason is that Optimal leaves out a window or a root only in two cases: another path to each
-/// point of the window, or to the root, is at most as long, or the bound of the window is not below the limit.
+/// position of the window, or to the root, is at most as long, or the bound of the window is not below the limit.
 class DiscGuide {
  public:
   /// Starts the search. Requires: `ends` belongs to `map`, and no face contains both ends; `start` and `goal` are the

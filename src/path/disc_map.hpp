@@ -23,9 +23,9 @@ namespace waywright::path {
 class DiscMap {
  public:
   /// `two_core` is the two-core of the triangulation, or null. The search uses it to leave out dead ends.
-  DiscMap(const constraint::ExactTriangulation& triangulation, const clearance::Bridges& bridges_of_it,
+  DiscMap(const constraint::ExactTriangulation& triangulation, const clearance::Bridges& all_bridges,
           double radius_of_disc, const Point& start, const nav::TwoCore* two_core = nullptr)
-      : walls(triangulation), bridges(bridges_of_it), core(two_core), exact_radius(radius_of_disc) {
+      : walls(triangulation), bridges(all_bridges), core(two_core), exact_radius(radius_of_disc) {
     const Box& domain = walls.domain();
     const double extent = std::max(domain.max.x - domain.min.x, domain.max.y - domain.min.y);
     const double largest = std::max({-domain.min.x, -domain.min.y, domain.max.x, domain.max.y});

@@ -31,7 +31,7 @@ namespace waywright::path {
 ///
 /// The search decides exactly whether a disc passes a gap: a line that has passed its test crosses no gap that is too
 /// narrow. (A window crosses no narrow bridge that is an edge of the mesh, but it may cross narrow foot bridges.) All
-/// other numbers are doubles. ARCHITECTURE.md ("Discs") explains why the result is the shortest path.
+/// other numbers are doubles. ARCHITECTURE.md ("Discs") gives the reasons for the rules of the search.
 ///
 /// Source: Cui, Harabor and Grastien, *Compromise-free pathfinding on a navigation mesh*, IJCAI 2017 (Polyanya, which
 /// finds paths of points on convex meshes).

@@ -40,8 +40,8 @@ inline constexpr double kSmallestTolerance = 0x1p-20;
 /// from the arc. A tolerance above half the radius counts as half the radius. Requires: `tolerance` is at least
 /// kSmallestTolerance times the radius.
 [[nodiscard]] std::size_t chord_count(const PathPiece& arc, double tolerance);
-/// Appends the vertices of a polyline: the ends of all pieces and, of each arc, the ends of its chords. Leaves out a
-/// vertex that equals the vertex before it. The tolerance is as for chord_count().
+/// Appends the points of a polyline: the ends of all pieces and, of each arc, the ends of its chords. Leaves out a
+/// point that equals the point before it. The tolerance is as for chord_count().
 void append_polyline(std::span<const PathPiece> pieces, double tolerance, std::vector<Point>& points);
 
 /// Returns whether a closed box comes so near to the path of a disc that the disc may touch it. The result can also be

@@ -28,8 +28,8 @@ void TaStar::clear_entries() {
 bool TaStar::step(std::size_t limit, Path& path) {
   while (!open_.empty() && path.expansions < limit) {
     if (is_found_ && open_.least_bound() >= best_length_) break;
-    const std::uint32_t position = open_.pop();
-    const Node& node = nodes_[position];
+    const std::uint32_t index = open_.pop();
+    const Node& node = nodes_[index];
     std::uint32_t& entered = entered_[number(node.entry)];
     if (entered == stamp_.value()) {
       dropped_bound_ = std::min(dropped_bound_, node.bound);
@@ -39,8 +39,8 @@ bool TaStar::step(std::size_t limit, Path& path) {
     ++path.expansions;
     if (looked_at_ != nullptr) looked_at_->look(mesh::face(node.entry));
     if (!ends_->is_goal(mesh::face(node.entry))) {
-      leave(position);
-    } else if (arrive(position)) {
+      leave(index);
+    } else if (arrive(index)) {
       write_path(path);
       return false;
     }
@@ -68,15 +68,14 @@ void TaStar::leave_start_face(mesh::HalfEdge h) {
 //        /   \           origin, the right end its target. If the channel leaves across target - c, c becomes the left
 //      /       \         end of the portal. If it leaves across c - origin, c becomes the right end.
 //  origin --> target
-void TaStar::leave(std::uint32_t position) {
-  const Node node = nodes_[position];
+void TaStar::leave(std::uint32_t index) {
+  const Node node = nodes_[index];
   const mesh::Vertex apex = mesh_->apex(node.entry);
   const mesh::HalfEdge beyond_target = mesh::next(node.entry);
   const mesh::HalfEdge beyond_origin = mesh::previous(node.entry);
-  if (nav::PointAgent::can_cross(*mesh_, beyond_target))
-    open(beyond_target, position, tree_.move_left(node.funnel, apex));
+  if (nav::PointAgent::can_cross(*mesh_, beyond_target)) open(beyond_target, index, tree_.move_left(node.funnel, apex));
   if (nav::PointAgent::can_cross(*mesh_, beyond_origin))
-    open(beyond_origin, position, tree_.move_right(node.funnel, apex));
+    open(beyond_origin, index, tree_.move_right(node.funnel, apex));
 }
 
 void TaStar::open(mesh::HalfEdge exit, std::uint32_t before, const Funnel& funnel) {
@@ -84,14 +83,14 @@ void TaStar::open(mesh::HalfEdge exit, std::uint32_t before, const Funnel& funne
   open_.push(nodes_.back().bound, static_cast<std::uint32_t>(nodes_.size() - 1));
 }
 
-bool TaStar::arrive(std::uint32_t position) {
-  const std::uint32_t turn = tree_.last_turn(nodes_[position].funnel, ends_->goal());
+bool TaStar::arrive(std::uint32_t index) {
+  const std::uint32_t turn = tree_.last_turn(nodes_[index].funnel, ends_->goal());
   const double length = tree_.length(turn) + distance(tree_.point(turn), ends_->goal());
   if (is_found_ && length >= best_length_) return false;
   is_found_ = true;
   best_length_ = length;
   best_turn_ = turn;
-  best_node_ = position;
+  best_node_ = index;
   return true;
 }
 

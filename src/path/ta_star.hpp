@@ -57,10 +57,10 @@ class TaStar {
   void clear_entries();
   /// Opens a node for each face adjacent to a start face, or to the face of a node.
   void leave_start_face(mesh::HalfEdge h);
-  void leave(std::uint32_t position);
+  void leave(std::uint32_t index);
   void open(mesh::HalfEdge exit, std::uint32_t before, const Funnel& funnel);
   /// Ends the node's string at the goal. Returns whether this is the best path so far.
-  bool arrive(std::uint32_t position);
+  bool arrive(std::uint32_t index);
   void write_path(Path& path) const;
   [[nodiscard]] double bound(const Funnel& funnel) const;
   [[nodiscard]] double lower_bound() const;

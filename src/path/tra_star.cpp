@@ -30,18 +30,18 @@ void TraStar::find(Path& path) {
     if (is_connected_to_goal(mesh::face(h))) leave_start_face(h);
   }
   while (!open_.empty()) {
-    const std::uint32_t position = open_.pop();
-    const ChannelNode node = nodes_[position];
+    const std::uint32_t index = open_.pop();
+    const ChannelNode node = nodes_[index];
     const Face f = mesh::face(node.entry);
     const std::uint32_t marks = marks_of(f);
     if ((marks & kGoal) != 0) {
-      collect_channel(position);
+      collect_channel(index);
       return write_path(path);
     }
     if ((marks & kChosen) != 0) continue;
     mark(f, kChosen);
     ++path.expansions;
-    leave(node, position);
+    leave(node, index);
   }
 }
 
@@ -135,7 +135,7 @@ void TraStar::leave_start_face(HalfEdge h) {
   }
 }
 
-void TraStar::leave(const ChannelNode& node, std::uint32_t position) {
+void TraStar::leave(const ChannelNode& node, std::uint32_t index) {
   const HalfEdge left = mesh::previous(node.entry);
   const HalfEdge right = mesh::next(node.entry);
   const Point& apex = position_of(mesh_->origin(left));
@@ -143,8 +143,8 @@ void TraStar::leave(const ChannelNode& node, std::uint32_t position) {
   to_right.move_left(apex, position_of(mesh_->origin(right)));
   Sight to_left = node.sight;
   to_left.move_right(apex, position_of(mesh_->origin(node.entry)));
-  follow(right, position, to_right);
-  follow(left, position, to_left);
+  follow(right, index, to_right);
+  follow(left, index, to_left);
 }
 
 //          c             The channel has entered a face across `entry`, from below: the left end is the edge's origin,
@@ -191,8 +191,8 @@ void TraStar::collect_channel(std::uint32_t goal_node) {
   exits_.clear();
   for (std::uint32_t node = goal_node; node != ChannelNode::kNone; node = nodes_[node].before) chosen_.push_back(node);
   std::reverse(chosen_.begin(), chosen_.end());
-  for (const std::uint32_t position : chosen_) {
-    const ChannelNode& node = nodes_[position];
+  for (const std::uint32_t index : chosen_) {
+    const ChannelNode& node = nodes_[index];
     exits_.push_back(node.exit);
     for (HalfEdge entry = mesh_->twin(node.exit); entry != node.entry; entry = mesh_->twin(exits_.back())) {
       const Face f = mesh::face(entry);

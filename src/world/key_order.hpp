@@ -9,8 +9,8 @@
 
 namespace waywright {
 
-/// The keys of slots in ascending order. So it lists the keys of a set of slots in ascending order without sorting
-/// them.
+/// Keeps the keys of all slots in ascending order. So it can list the keys of any set of slots in ascending order
+/// without sorting them.
 ///
 /// Each key has an *index* in an array of all keys. The first keys of the array ascend. New keys follow in any
 /// order, and the class sorts them into the array when they are many.
@@ -25,7 +25,7 @@ class KeyOrder {
   /// Removes the key of a slot.
   void remove(std::uint32_t slot);
 
-  /// Marks no slot.
+  /// Removes all marks.
   void clear_marks() { std::fill(marks_.begin(), marks_.end(), 0); }
   /// Marks a slot that has a key.
   void mark(std::uint32_t slot) {
@@ -33,8 +33,8 @@ class KeyOrder {
     marks_[index / kBits] |= std::uint64_t{1} << index % kBits;
   }
   /// Fills `keys` with the keys of the marked slots, ascending. Afterwards no slot is marked. Allocates nothing if
-  /// `keys` has room for its result. Cost: linear in the result, plus n log n for new keys in it, plus a step for 64
-  /// keys.
+  /// `keys` has room for its result. Cost: linear in the result, plus n log n for new keys in it, plus one step for
+  /// each 64 keys.
   void take_marked(std::vector<std::uint64_t>& keys);
   /// Replaces slots by their keys, ascending. Requires: no slot is marked.
   void replace_by_keys(std::vector<std::uint64_t>& slots) {

@@ -322,8 +322,9 @@ void PathWatch::Impl::drop(std::uint32_t slot) noexcept {
 
 /// Checks the path of a point agent, because a changed box may touch `piece`, a piece of this path. Does nothing if
 /// this update has already checked the path. `around` is the box of the piece. Adds the slot of the path to `changes`
-/// if the path is blocked. `boxes` are all boxes that have changed, or empty if they are not known. If the piece surely
-/// crosses a wall, the path is blocked. This test finds most blocked paths, and costs less than a walk along the path.
+/// if the path is blocked. `boxes` are the boxes of all changes since the last update, or empty if the world no longer
+/// has them. If the piece surely crosses a wall, the path is blocked. This test finds most blocked paths, and costs
+/// less than a walk along the path.
 void PathWatch::Impl::check(const Piece& piece, const Box& around, const World& world, Boxes boxes,
                             PathChanges& changes) {
   State& state = states[piece.slot];

@@ -48,14 +48,14 @@ std::string key_of(const Shape& shape) {
   return key;
 }
 
-/// A grid of cells, and a world that holds the outlines of the blocked cells.
+/// A grid of tiles, and a world that holds the outlines of the blocked tiles.
 class GridWorld {
  public:
   GridWorld(std::size_t width, std::size_t height)
       : rows_(height, std::string(width, '.')),
         world_(World::create({{0, 0}, {static_cast<double>(width), static_cast<double>(height)}}).value()) {}
 
-  /// Copies a patch's cells into the grid and applies all changes of outlines to the world in one operation. Returns
+  /// Copies a patch's tiles into the grid and applies all changes of outlines to the world in one operation. Returns
   /// the time that the world took.
   Microseconds apply(const Rows& patch, std::size_t x, std::size_t y) {
     for (std::size_t row = 0; row < patch.size(); ++row) rows_.at(y + row).replace(x, patch[row].size(), patch[row]);
@@ -108,7 +108,7 @@ void print_times(const char* what, std::vector<Microseconds> times) {
             << sum.count() / static_cast<double>(times.size()) << ", max " << times.back().count() << '\n';
 }
 
-/// Searches a path between the middles of two cells with each algorithm. The path by `optimal` must not be longer than
+/// Searches a path between the middles of two tiles with each algorithm. The path by `optimal` must not be longer than
 /// the grid path of length `grid_length`, nor longer than the path by `ta`. Returns the time of the search by
 /// `optimal`.
 Microseconds expect_path(const World& world, Point start, Point goal, double grid_length, QueryContext& context) {
@@ -132,7 +132,7 @@ Microseconds expect_path(const World& world, Point start, Point goal, double gri
 }
 
 // The world starts without obstacles. The lengths in the file are those of 8-connected grid paths between the middles
-// of cells. A grid path exists exactly when any path exists, and the path by `optimal` is never longer.
+// of tiles. A grid path exists exactly when any path exists, and the path by `optimal` is never longer.
 TEST(DynamicPaths, FollowThePatchesOfAGrid) {
   const std::filesystem::path folder = data_folder() / "dynamic";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder << ": set WAYWRIGHT_DATA to the data folder";

@@ -136,7 +136,7 @@ class Checker {
   Path path_;
 };
 
-// WAYWRIGHT_SCRIPTS is the number of queries of each map; the queries are in the middle of their cells.
+// WAYWRIGHT_SCRIPTS is the number of queries of each map; the queries are in the middle of their tiles.
 TEST_P(MapDiscPaths, KeepTheRadiusFromAllWalls) {
   const std::filesystem::path folder = data_folder() / "grid";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder << ": set WAYWRIGHT_DATA to the data folder";

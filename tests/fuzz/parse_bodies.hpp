@@ -65,8 +65,8 @@ inline double doubled_area(const std::vector<std::vector<Point>>& rings) {
   return doubled;
 }
 
-/// Checks that the polygons of a map have the area of its blocked cells. In an accepted map the letters of blocked
-/// cells occur only in cells.
+/// Checks that the polygons of a map have the area of its blocked tiles. In an accepted map the letters of blocked
+/// tiles occur only in tiles.
 inline std::string fault_of_map(std::string_view text) {
   const Result<Scene> scene = parse_movingai_map(text, kFuzzName);
   if (!scene.ok()) return fault_of_error(scene.error(), text);
@@ -74,7 +74,7 @@ inline std::string fault_of_map(std::string_view text) {
                                      [](char c) { return std::string_view("@OTW").find(c) != std::string_view::npos; });
   double doubled = 0.0;
   for (const Item& item : scene->items) doubled += doubled_area(item.shape.rings);
-  if (doubled != 2.0 * static_cast<double>(blocked)) return "the polygons' area is not that of the blocked cells";
+  if (doubled != 2.0 * static_cast<double>(blocked)) return "the polygons' area is not that of the blocked tiles";
   return fault_of_scene(*scene);
 }
 

@@ -117,7 +117,7 @@ bool is_blocked(char tile) { return std::string_view(".GS").find(tile) == std::s
 
 /// Returns which tiles' centres lie inside an odd number of turns of the rings. Each vertical side changes the parity
 /// of all centres to its right.
-std::vector<std::vector<bool>> covered_cells(const TileRings& rings, std::size_t height, std::size_t width) {
+std::vector<std::vector<bool>> covered_tiles(const TileRings& rings, std::size_t height, std::size_t width) {
   std::vector<std::vector<bool>> covered(height, std::vector<bool>(width + 1));
   for (const Ring& ring : rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -190,7 +190,7 @@ std::string fault_of(const Scene& scene, const Rows& rows) {
       all.push_back(ring);
     }
   }
-  const auto covered = covered_cells(all, rows.size(), rows.front().size());
+  const auto covered = covered_tiles(all, rows.size(), rows.front().size());
   for (std::size_t y = 0; y < rows.size(); ++y) {
     for (std::size_t x = 0; x < rows[y].size(); ++x) {
       if (covered[y][x] != is_blocked(rows[y][x])) {
@@ -206,7 +206,7 @@ std::string fault_of(const Scene& scene, const Rows& rows) {
 std::vector<std::vector<std::size_t>> owners(const Scene& scene, const Rows& rows) {
   std::vector<std::vector<std::size_t>> owner(rows.size(), std::vector<std::size_t>(rows.front().size()));
   for (const Item& item : scene.items) {
-    const auto covered = covered_cells(item.shape.rings, rows.size(), rows.front().size());
+    const auto covered = covered_tiles(item.shape.rings, rows.size(), rows.front().size());
     for (std::size_t y = 0; y < rows.size(); ++y) {
       for (std::size_t x = 0; x < rows[y].size(); ++x) {
         if (!covered[y][x]) continue;

@@ -116,7 +116,7 @@ TEST_P(PointPaths, WallsThatMeetLeaveNoPath) {
   const World crossing = world_of(kTen, {wall({5, 0}, {5, 5}), wall({5, 5}, {5, 10})});
   EXPECT_EQ(path_of(crossing, {1, 5}, {9, 5}).status, PathStatus::no_path);
   const World corners = world_of(kTen, {rectangle(0, 0, 5, 5), rectangle(5, 5, 10, 10)});
-  EXPECT_EQ(path_of(corners, {1, 9}, {9, 1}).status, PathStatus::no_path) << "two solids touch at a corner";
+  EXPECT_EQ(path_of(corners, {1, 9}, {9, 1}).status, PathStatus::no_path) << "two polygons touch at a corner";
   const World border = world_of(kTen, {wall({5, 0}, {5, 10})});
   EXPECT_EQ(path_of(border, {1, 5}, {9, 5}).status, PathStatus::no_path);
   const World ajar = world_of(kTen, {wall({5, 0}, {5, 9.999})});
@@ -158,7 +158,7 @@ TEST_P(PointPaths, NoPathAlongASideThatTwoSolidsShare) {
   // The point is strictly inside neither solid, but one solid lies left of it, and the other one right of it.
   EXPECT_EQ(path_of(world, {5, 5}, {1, 1}).status, PathStatus::no_path);
   EXPECT_EQ(path_of(world, {5, 5}, {5, 5}).status, PathStatus::found);
-  EXPECT_EQ(path_of(world, {5, 2}, {5, 8}).points.size(), 4U) << "around one of the solids";
+  EXPECT_EQ(path_of(world, {5, 2}, {5, 8}).points.size(), 4U) << "around one of the polygons";
 }
 
 TEST_P(PointPaths, StartEqualsGoal) {

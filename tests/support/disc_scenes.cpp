@@ -255,8 +255,8 @@ class SceneMaker {
     }
     if (kind_ == SceneKind::tiles) {
       for (auto& [start, goal] : scene.queries) {
-        start = centre_of_cell(start);
-        goal = centre_of_cell(goal);
+        start = centre_of_tile(start);
+        goal = centre_of_tile(goal);
       }
     }
     return scene;
@@ -292,7 +292,7 @@ class SceneMaker {
     return p;
   }
 
-  [[nodiscard]] Point centre_of_cell(Point p) const {
+  [[nodiscard]] Point centre_of_tile(Point p) const {
     return {std::min(std::floor(p.x), size_ - 1) + 0.5, std::min(std::floor(p.y), size_ - 1) + 0.5};
   }
 
@@ -315,7 +315,7 @@ class SceneMaker {
       case SceneKind::corridors:
         return add_to_corridor(walls);
       case SceneKind::tiles:
-        return add_cells(walls);
+        return add_tiles(walls);
       case SceneKind::mixture:
         return add_item(kSceneKinds[random_.below(kSceneKinds.size() - 1)], walls);
     }
@@ -330,7 +330,7 @@ class SceneMaker {
   }
 
   /// Adds the border of a few connected tiles: steps of length 1.
-  void add_cells(Walls& walls) {
+  void add_tiles(Walls& walls) {
     const double last = std::min(size_, 16.0) - 1;
     std::set<std::pair<double, double>> tiles;
     double x = whole(0, last);

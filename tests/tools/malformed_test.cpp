@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(
                     MalformedMap{{"map_height_word", "type octile\nheight one\nwidth 1\nmap\n.\n", 2}, "a.map"},
                     MalformedMap{{"map_width_zero", "type octile\nheight 1\nwidth 0\nmap\n\n", 3}, "a.map"},
                     MalformedMap{{"map_short_row", "type octile\nheight 2\nwidth 3\nmap\n...\n..\n", 6}, "a.map"},
-                    MalformedMap{{"map_unknown_cell", "type octile\nheight 1\nwidth 3\nmap\n.x.\n", 5}, "a.map"},
+                    MalformedMap{{"map_unknown_tile", "type octile\nheight 1\nwidth 3\nmap\n.x.\n", 5}, "a.map"},
                     MalformedMap{{"map_row_missing", "type octile\nheight 2\nwidth 1\nmap\n.\n", 5}, "a.map"},
                     MalformedMap{{"geojson_cut", "{\"type\":\n", 1}, "a.geojson"},
                     MalformedMap{{"json_of_another_program", "{\n\"a\":5}", 1}, "a.json"},

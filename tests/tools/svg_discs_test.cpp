@@ -198,7 +198,7 @@ TEST(SvgDiscs, MarksTheGapThatStopsTheDisc) {
   ASSERT_EQ(labels.size(), 1U);
   EXPECT_EQ(labels[0]["text"], "gap 10");
   EXPECT_EQ(drawn["labels"],
-            json({"1 solid", "1 polyline", "1 failed path of a disc, no path", "disc at its start and goal",
+            json({"1 polygon", "1 polyline", "1 failed path of a disc, no path", "disc at its start and goal",
                   "gap 10 wide: a disc of radius 5 fits through", "items that stop the disc"}));
 }
 

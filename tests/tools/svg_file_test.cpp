@@ -58,7 +58,7 @@ TEST(SvgFile, OfAConversionHoldsEveryItem) {
   EXPECT_EQ(run_command({"convert", map, picture}).status, 0);
   const json drawn = outline(read_file(picture));
   ASSERT_TRUE(drawn.is_object()) << drawn;
-  EXPECT_EQ(drawn["groups"]["solids"], 1);
+  EXPECT_EQ(drawn["groups"]["polygons"], 1);
   EXPECT_EQ(drawn["groups"]["points"], 1);
   EXPECT_GT(drawn["mesh"], 0);
 }

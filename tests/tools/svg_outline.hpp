@@ -40,7 +40,7 @@ inline json outline(const std::string& svg) {
       "data = [n for e in elements if e['group'] != 'legend' for n in re.findall(r'[-+.\\w]+',\n"
       "        re.sub('h0|[MLZA]', ' ', e.get('d', '')))]\n"
       "print(json.dumps({'groups': {k: count(g) for k, g in groups.items()}, 'elements': elements,\n"
-      "  'solids': [e.get('d').count('Z') for e in groups['solids']],\n"
+      "  'polygons': [e.get('d').count('Z') for e in groups['polygons']],\n"
       "  'labels': [e['text'] for e in elements if e['group'] == 'legend' and e['tag'] == 'text'],\n"
       "  'mesh': sum(e.get('d').count('M') for e in groups['mesh']) if 'mesh' in groups else 0,\n"
       "  'title': next((e['text'] for e in elements if e.get('id') == 'title'), None),\n"

@@ -87,7 +87,7 @@ TEST(ToSvg, ColoursLocationsByTheirAnswer) {
     overlay.locations.push_back({point, world.locate(point).value()});
   }
   const json drawn = drawing_of(world, overlay, bare_options());
-  EXPECT_EQ(drawn["labels"], json({"1 solid", "1 polyline", "1 located point in a face", "1 located point on an edge",
+  EXPECT_EQ(drawn["labels"], json({"1 polygon", "1 polyline", "1 located point in a face", "1 located point on an edge",
                                    "1 located point on a vertex", "3 located points in polygons"}));
   EXPECT_EQ(hints_of(drawn, "locations"),
             (std::vector<std::string>{"(8, 5.25): face", "(6, 5): edge", "(6, 9): vertex", "(2, 3): face, inside 8",

@@ -33,15 +33,15 @@ TEST(ToSvg, DrawsEachThingOnceInItsGroup) {
   const Path none;
 
   const json drawn = drawing_of(world, {.paths = {path, none}});
-  EXPECT_EQ(drawn["groups"]["solids"], 2);
-  EXPECT_EQ(drawn["solids"], json::parse("[2,1]"));
+  EXPECT_EQ(drawn["groups"]["polygons"], 2);
+  EXPECT_EQ(drawn["polygons"], json::parse("[2,1]"));
   EXPECT_EQ(drawn["groups"]["lines"], 2);
   EXPECT_EQ(drawn["groups"]["points"], 2);
   EXPECT_EQ(drawn["groups"]["paths"], 1);
   EXPECT_EQ(drawn["groups"]["ends"], 2);
   EXPECT_EQ(drawn["title"], nullptr);
   const std::string triangles = std::to_string(world.triangle_count()) + " triangles";
-  EXPECT_EQ(drawn["labels"], json({"2 solids", "2 polylines", "2 points", triangles, "path, length 12.346", "start",
+  EXPECT_EQ(drawn["labels"], json({"2 polygons", "2 polylines", "2 points", triangles, "path, length 12.346", "start",
                                    "goal", "1", "y up"}));
 }
 
@@ -59,7 +59,7 @@ TEST(ToSvg, FillsEachPolygonByItsRule) {
   ASSERT_NE(at, std::string::npos);
   nonzero.erase(nonzero.find(attribute), attribute.size());
   EXPECT_EQ(nonzero, drawn_by(FillRule::even_odd));
-  EXPECT_NE(nonzero.find("id=\"solids\""), std::string::npos);
+  EXPECT_NE(nonzero.find("id=\"polygons\""), std::string::npos);
   EXPECT_NE(nonzero.find("fill-rule=\"evenodd\""), std::string::npos);
 }
 
@@ -172,14 +172,14 @@ TEST(ToSvg, HasTheIdOfEachItemOnHover) {
   world.insert_point({8, 8}, {1}).value();
   const json drawn = drawing_of(world);
   using Hints = std::vector<std::string>;
-  EXPECT_EQ(hints_of(drawn, "solids"), Hints{"polygon 7"});
+  EXPECT_EQ(hints_of(drawn, "polygons"), Hints{"polygon 7"});
   EXPECT_EQ(hints_of(drawn, "lines"), (Hints{"polyline 5", "segment 9223372036854775807"}));
   EXPECT_EQ(hints_of(drawn, "points"), Hints{"point 1"});
   SvgOptions options;
   options.ids = false;
   const json without = drawing_of(world, {}, options);
-  EXPECT_EQ(hints_of(without, "solids"), Hints{});
-  EXPECT_EQ(without["groups"]["solids"], 1);
+  EXPECT_EQ(hints_of(without, "polygons"), Hints{});
+  EXPECT_EQ(without["groups"]["polygons"], 1);
   EXPECT_EQ(without["groups"]["points"], 1);
 }
 
@@ -238,7 +238,7 @@ TEST(ToSvg, HoldsNothingOutsideTheCropBox) {
                      .labels = {{.at = {900, 900}, .text = "outside"}, {.at = {500, 240}, .text = "inside"}}};
   const json drawn = drawing_of(world, overlay, options);
   EXPECT_EQ(hints_of(drawn, "lines"), std::vector<std::string>{"segment 1"});
-  EXPECT_EQ(hints_of(drawn, "solids"), std::vector<std::string>{"polygon 3"});
+  EXPECT_EQ(hints_of(drawn, "polygons"), std::vector<std::string>{"polygon 3"});
   EXPECT_EQ(hints_of(drawn, "points"), std::vector<std::string>{"point 5"});
   EXPECT_EQ(drawn["groups"]["paths"], 1);
   EXPECT_EQ(drawn["groups"]["ends"], 0);

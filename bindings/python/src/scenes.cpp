@@ -92,7 +92,7 @@ void bind_script(py::module_& module) {
   bind_script_line(module);
   py::class_<Script>(module, "Script", "A world script, see docs/formats.md.")
       .def_property_readonly(
-          "domain", [](const Script& self) { return self.domain; }, "The box of the world.")
+          "domain", [](const Script& self) { return self.domain; }, "The domain of the world.")
       .def_property_readonly(
           "lines", [](const Script& self) { return self.lines; }, "A list of the lines.")
       .def(

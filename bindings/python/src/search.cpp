@@ -107,7 +107,7 @@ True
       .def_property_readonly("windows", &windows_of, R"(
 The windows that the search has followed, one or more for each triangle that it has entered: an array of WINDOW_DTYPE.
 
-A window is the piece of an edge that is visible from its root: the start of the path, or a corner at which the path
+A window is the piece of an edge that is visible from its root: the start of the path, or a point at which the path
 turns. The fields are ``root``, ``edge`` and ``interval`` (the left and the right end of each), ``length`` (of the path
 to the root) and ``bound`` (no path through the window to the goal is shorter). The array is empty if the search does
 not record windows, if the algorithm is not ``"optimal"``, if the radius is above 0, or if no search was necessary, for

@@ -151,7 +151,8 @@ void bind_single(WorldClass& world) {
           [](WorldHandle& self, Point a, Point b, ItemId id) {
             return self.write([&](World& w) { return w.insert_segment(a, b, id).value(); });
           },
-          py::arg("a"), py::arg("b"), py::arg("id") = py::none(), "Inserts a wall from ``a`` to ``b``. Returns the id.")
+          py::arg("a"), py::arg("b"), py::arg("id") = py::none(),
+          "Inserts a segment from ``a`` to ``b``. Returns the id.")
       .def(
           "insert_polyline",
           [](WorldHandle& self, const PointsArg& points, ItemId id) {

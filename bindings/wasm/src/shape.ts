@@ -4,7 +4,7 @@ import { ww_shape } from './generated/abi.js';
 import { check, lib, scratch } from './runtime.js';
 import { answer, type Box, put, readBox, readPoint, toEnum, writeBox, writePoint } from './values.js';
 
-/** The kind of an item: a vertex, a wall, an open polyline whose pieces are walls, or a solid obstacle. */
+/** The kind of an item. */
 export type ItemKind = 'point' | 'segment' | 'polyline' | 'polygon';
 /** Which positions lie inside a polygon: those with an odd winding number, or those whose winding number is not 0. */
 export type FillRule = 'even-odd' | 'nonzero';
