@@ -52,7 +52,6 @@ def build_module():
         "-DBoost_NO_BOOST_CMAKE=ON",
         f"-DBoost_INCLUDE_DIR={prefix}/include",
         "-DWAYWRIGHT_INSTALL=OFF",
-        "-DWAYWRIGHT_UNITY=8",
         *[f"-DWAYWRIGHT_BUILD_{part}={value}" for part, value in switches.items()],
     )
     jobs = os.environ.get("WAYWRIGHT_JOBS") or str(os.cpu_count())
