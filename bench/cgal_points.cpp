@@ -114,18 +114,18 @@ void time_bulk_segments(benchmark::State& state, const Workload& workload) {
   report_time_per_operation(state, segments.size());
 }
 
-void time_locations(benchmark::State& state, const Locations& locations) {
+void time_location(benchmark::State& state, const PointsToLocate& workload) {
   Hierarchy triangulation;
   insert_corners(triangulation, {{0.0, 0.0}, {1.0, 1.0}});
   std::vector<Kernel::Point_2> points;
-  for (const Point& point : locations.points) points.emplace_back(point.x, point.y);
+  for (const Point& point : workload.points) points.emplace_back(point.x, point.y);
   triangulation.insert(points.begin(), points.end());
   for ([[maybe_unused]] const auto iteration : state) {
-    for (const Point& target : locations.targets) {
+    for (const Point& target : workload.targets) {
       benchmark::DoNotOptimize(triangulation.locate(Kernel::Point_2(target.x, target.y)));
     }
   }
-  report_time_per_operation(state, locations.targets.size());
+  report_time_per_operation(state, workload.targets.size());
   state.counters["vertices"] = static_cast<double>(triangulation.number_of_vertices());
 }
 
@@ -147,15 +147,15 @@ void register_cgal_points() {
         ->Unit(benchmark::kMillisecond);
     for (const LocationKind& kind : location_kinds()) {
       benchmark::RegisterBenchmark((size.name(kind.name) + "/cgal_hierarchy").c_str(),
-                                   [kind, count](benchmark::State& state) { time_locations(state, kind.make(count)); })
+                                   [kind, count](benchmark::State& state) { time_location(state, kind.make(count)); })
           ->Iterations(1)
           ->Unit(benchmark::kMillisecond);
     }
   }
-  for (const PointSize& side : lattice_sides()) {
-    register_updates<FromLast>(side.name("lattice"), "cgal", [side] { return lattice_points(side.count); });
-    benchmark::RegisterBenchmark((side.name("bulk_lattice") + "/cgal").c_str(),
-                                 [side](benchmark::State& state) { time_bulk(state, lattice_points(side.count)); })
+  for (const PointSize& row : lattice_rows()) {
+    register_updates<FromLast>(row.name("lattice"), "cgal", [row] { return lattice_points(row.count); });
+    benchmark::RegisterBenchmark((row.name("bulk_lattice") + "/cgal").c_str(),
+                                 [row](benchmark::State& state) { time_bulk(state, lattice_points(row.count)); })
         ->Iterations(1)
         ->Unit(benchmark::kMillisecond);
   }

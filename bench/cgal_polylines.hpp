@@ -30,7 +30,7 @@ class CgalPolylines {
   using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, Intersections>;
   using Base = CGAL::Constrained_triangulation_plus_2<Delaunay>;
 
-  /// The base's insert_constraint() always searches a polyline's first point from the mesh's boundary. This one starts
+  /// The base's insert_constraint() always searches a polyline's first point from the mesh's border. This one starts
   /// from a vertex.
   struct Plus : Base {
     using Base::insert_constraint;

@@ -58,9 +58,9 @@ void register_insertions() {
     register_updates<Waywright>(size.name("sorted_points"), "waywright", [count] { return sorted_points(count); });
     register_points(size.name("bulk_points"), [count] { return uniform_points(count); });
   }
-  for (const PointSize& side : lattice_sides()) {
-    register_updates<Waywright>(side.name("lattice"), "waywright", [side] { return lattice_points(side.count); });
-    register_points(side.name("bulk_lattice"), [side] { return lattice_points(side.count); });
+  for (const PointSize& row : lattice_rows()) {
+    register_updates<Waywright>(row.name("lattice"), "waywright", [row] { return lattice_points(row.count); });
+    register_points(row.name("bulk_lattice"), [row] { return lattice_points(row.count); });
   }
   for (const PointSize& size : growing_sizes()) {
     register_points(size.name("growth"), [size] { return uniform_points(size.count); });

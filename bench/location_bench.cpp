@@ -15,26 +15,26 @@
 namespace waywright::bench {
 namespace {
 
-void time_locations(benchmark::State& state, const Locations& locations) {
+void time_location(benchmark::State& state, const PointsToLocate& workload) {
   World world = World::create({{0.0, 0.0}, {1.0, 1.0}}, kMeshOnly).value();
-  world.insert_points(locations.points).value();
+  world.insert_points(workload.points).value();
   QueryContext context;
   Location location;
   for ([[maybe_unused]] const auto iteration : state) {
-    for (const Point& target : locations.targets) world.locate(target, context, location).value();
+    for (const Point& target : workload.targets) world.locate(target, context, location).value();
   }
-  report_time_per_operation(state, locations.targets.size());
+  report_time_per_operation(state, workload.targets.size());
   state.counters["vertices"] = static_cast<double>(world.vertex_count());
 }
 
 }  // namespace
 
-void register_locations() {
+void register_location() {
   for (const LocationKind& kind : location_kinds()) {
     for (const PointSize& size : point_sizes()) {
       benchmark::RegisterBenchmark(
           (size.name(kind.name) + "/waywright").c_str(),
-          [kind, size](benchmark::State& state) { time_locations(state, kind.make(size.count)); })
+          [kind, size](benchmark::State& state) { time_location(state, kind.make(size.count)); })
           ->Iterations(1)
           ->Unit(benchmark::kMillisecond);
     }

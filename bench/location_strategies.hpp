@@ -32,7 +32,7 @@ struct Ground {
   [[nodiscard]] bool contains(mesh::HalfEdge h) const {
     return h != mesh::kNoHalfEdge && mesh.is_live(mesh::face(h)) && is_inside(h);
   }
-  /// Returns a face in the box that touches the box's boundary.
+  /// Returns a face in the box that touches the box's border.
   [[nodiscard]] mesh::HalfEdge face_at_border() const { return mesh.twin(mesh::next(mesh.outgoing(ghost))); }
   /// Returns a face in the box that has `v` as a corner. Requires: `v` is live and is not the ghost.
   [[nodiscard]] mesh::HalfEdge at(mesh::Vertex v) const {
@@ -98,18 +98,18 @@ class SectorsOfSearches {
   }
 
  private:
-  static constexpr std::size_t kSide = 16;
+  static constexpr std::size_t kRowLength = 16;
 
   [[nodiscard]] static std::size_t step(double at, double from, double to) {
-    const double scaled = (at - from) / (to - from) * double{kSide};
-    return std::min(static_cast<std::size_t>(std::max(scaled, 0.0)), kSide - 1);
+    const double scaled = (at - from) / (to - from) * double{kRowLength};
+    return std::min(static_cast<std::size_t>(std::max(scaled, 0.0)), kRowLength - 1);
   }
   [[nodiscard]] std::size_t sector(const Point& point) const {
-    return step(point.y, box_.min.y, box_.max.y) * kSide + step(point.x, box_.min.x, box_.max.x);
+    return step(point.y, box_.min.y, box_.max.y) * kRowLength + step(point.x, box_.min.x, box_.max.x);
   }
 
   Box box_;
-  std::array<mesh::HalfEdge, kSide * kSide> sectors_;
+  std::array<mesh::HalfEdge, kRowLength * kRowLength> sectors_;
   mesh::HalfEdge last_ = mesh::kNoHalfEdge;
 };
 

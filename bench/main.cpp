@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   waywright::bench::register_insertions();
-  waywright::bench::register_locations();
+  waywright::bench::register_location();
   waywright::bench::register_updates();
   waywright::bench::register_degenerate();
   waywright::bench::register_paths();

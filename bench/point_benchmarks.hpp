@@ -23,8 +23,8 @@ inline const std::vector<PointSize>& point_sizes() {
   return sizes;
 }
 
-/// The side lengths of lattices with about as many points.
-inline const std::vector<PointSize>& lattice_sides() {
+/// The lengths of the rows of lattices with about as many points.
+inline const std::vector<PointSize>& lattice_rows() {
   static const std::vector<PointSize> sides = {{"", 100}, {"", 316}, {"large/", 1000}};
   return sides;
 }
@@ -38,12 +38,13 @@ inline const std::vector<PointSize>& growing_sizes() {
 /// Which points a benchmark locates, and among which vertices.
 struct LocationKind {
   std::string name;
-  Locations (*make)(std::size_t count);
+  PointsToLocate (*make)(std::size_t count);
 };
 
 inline const std::vector<LocationKind>& location_kinds() {
-  static const std::vector<LocationKind> kinds = {
-      {"locate", random_locations}, {"locate_sorted", sorted_locations}, {"locate_uneven", uneven_locations}};
+  static const std::vector<LocationKind> kinds = {{"locate", random_points_to_locate},
+                                                  {"locate_sorted", sorted_points_to_locate},
+                                                  {"locate_uneven", uneven_points_to_locate}};
   return kinds;
 }
 

@@ -83,13 +83,13 @@ const std::vector<std::string>& real_scene_files() {
 }
 
 std::optional<Workload> read_real_scene(const std::string& file) {
-  const std::string path = data_folder() + '/' + file;
+  const std::string file_name = data_folder() + '/' + file;
   if (!file.ends_with(".poly.xml")) {
-    Result<Scene> scene = read_scene(path);
+    Result<Scene> scene = read_scene(file_name);
     if (!scene.ok()) return std::nullopt;
     return workload_of(*std::move(scene));
   }
-  std::ifstream stream(path, std::ios::binary);
+  std::ifstream stream(file_name, std::ios::binary);
   if (!stream) return std::nullopt;
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   std::optional<Scene> scene = parse_footprints(text);

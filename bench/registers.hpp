@@ -5,7 +5,7 @@ namespace waywright::bench {
 // Each function registers its benchmarks; main() calls them before it runs any.
 
 void register_insertions();
-void register_locations();
+void register_location();
 void register_updates();
 void register_degenerate();
 void register_paths();

@@ -18,7 +18,7 @@ constexpr Box kThesisDomain = {{-10000.0, -10000.0}, {10000.0, 10000.0}};
 constexpr std::int64_t kThesisReach = 8000;
 constexpr std::uint64_t kPointSeed = 53;
 constexpr std::uint64_t kTargetSeed = 54;
-constexpr std::int64_t kLargeSide = std::int64_t{1} << 20;
+constexpr std::int64_t kLargeWidth = std::int64_t{1} << 20;
 
 Item make_item(std::size_t id, ItemKind kind, std::vector<Point> ring) {
   Item item;
@@ -44,9 +44,9 @@ void shuffle(std::vector<std::size_t>& values, Random& random) {
 /// step rotates the rest.
 std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y) {
   std::uint64_t index = 0;
-  for (std::uint32_t side = 1U << 15; side > 0; side >>= 1) {
-    const bool right = (x & side) != 0;
-    const bool upper = (y & side) != 0;
+  for (std::uint32_t bit = 1U << 15; bit > 0; bit >>= 1) {
+    const bool right = (x & bit) != 0;
+    const bool upper = (y & bit) != 0;
     index = index * 4 + (right ? (upper ? 2U : 3U) : (upper ? 1U : 0U));
     if (upper) continue;
     if (right) {
@@ -113,8 +113,8 @@ bool touches_any(const Box& box, const std::vector<Box>& others) {
 /// Returns a polygon around a random centre. It has a corner in each quadrant, so it is simple and contains its centre.
 Item rts_polygon(Random& random, std::size_t id, std::int64_t largest_reach) {
   constexpr std::array<Point, 4> kQuadrants = {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
-  const Point centre = {random.between(largest_reach, kLargeSide - largest_reach),
-                        random.between(largest_reach, kLargeSide - largest_reach)};
+  const Point centre = {random.between(largest_reach, kLargeWidth - largest_reach),
+                        random.between(largest_reach, kLargeWidth - largest_reach)};
   const std::int64_t spread = largest_reach * 3 / 4;
   const std::int64_t reach =
       largest_reach - spread + static_cast<std::int64_t>(random.below(static_cast<std::size_t>(spread)));
@@ -165,14 +165,14 @@ Workload sorted_points(std::size_t count) {
   return workload;
 }
 
-Workload lattice_points(std::size_t side) {
-  const double end = static_cast<double>(side);
+Workload lattice_points(std::size_t row_length) {
+  const double end = static_cast<double>(row_length);
   Workload workload{{{0.0, 0.0}, {end + 1.0, end + 1.0}}, {}, {}};
   std::vector<Point> points;
-  points.reserve(side * side);
-  for (std::size_t row = 1; row <= side; ++row) {
-    for (std::size_t i = 1; i <= side; ++i) {
-      const std::size_t column = row % 2 == 0 ? side + 1 - i : i;
+  points.reserve(row_length * row_length);
+  for (std::size_t row = 1; row <= row_length; ++row) {
+    for (std::size_t i = 1; i <= row_length; ++i) {
+      const std::size_t column = row % 2 == 0 ? row_length + 1 - i : i;
       points.push_back({static_cast<double>(column), static_cast<double>(row)});
     }
   }
@@ -182,11 +182,11 @@ Workload lattice_points(std::size_t side) {
 
 Workload point_removal(std::size_t count) {
   Random random(200);
-  const double side = static_cast<double>(kLargeSide);
-  Workload workload{{{0.0, 0.0}, {side, side}}, {}, {}};
+  const double width = static_cast<double>(kLargeWidth);
+  Workload workload{{{0.0, 0.0}, {width, width}}, {}, {}};
   // The points are distinct, so that the removal of an item also removes its vertex.
   std::set<std::pair<double, double>> taken;
-  while (taken.size() < count) taken.emplace(random.between(1, kLargeSide - 1), random.between(1, kLargeSide - 1));
+  while (taken.size() < count) taken.emplace(random.between(1, kLargeWidth - 1), random.between(1, kLargeWidth - 1));
   std::vector<Point> points;
   points.reserve(count);
   for (const auto& [x, y] : taken) points.push_back({x, y});
@@ -272,8 +272,8 @@ Workload rts(Crowd crowd, std::size_t steps) {
   const bool is_disjoint = crowd == Crowd::disjoint;
   const std::int64_t reach = crowd == Crowd::sparse ? 2000 : 8000;
   Random random(is_disjoint ? 62 : 61);
-  const double side = static_cast<double>(kLargeSide);
-  Workload workload{{{0.0, 0.0}, {side, side}}, {}, {}};
+  const double width = static_cast<double>(kLargeWidth);
+  Workload workload{{{0.0, 0.0}, {width, width}}, {}, {}};
   std::vector<Box> boxes;
   std::vector<std::size_t> ids;
   std::size_t next_id = 1;
@@ -315,15 +315,15 @@ Workload long_wall(std::size_t count) {
 }
 
 Workload random_squares(std::size_t count) {
-  constexpr std::int64_t kSide = std::int64_t{1} << 14;
+  constexpr std::int64_t kWidth = std::int64_t{1} << 14;
   constexpr std::int64_t kLargestReach = 80;
   Random random(7);
-  Workload workload{{{0.0, 0.0}, {static_cast<double>(kSide), static_cast<double>(kSide)}}, {}, {}};
+  Workload workload{{{0.0, 0.0}, {static_cast<double>(kWidth), static_cast<double>(kWidth)}}, {}, {}};
   std::vector<Box> boxes;
   while (boxes.size() < count) {
     const double reach = random.between(kLargestReach / 4, kLargestReach);
-    const Point centre = {random.between(2 * kLargestReach, kSide - 2 * kLargestReach),
-                          random.between(2 * kLargestReach, kSide - 2 * kLargestReach)};
+    const Point centre = {random.between(2 * kLargestReach, kWidth - 2 * kLargestReach),
+                          random.between(2 * kLargestReach, kWidth - 2 * kLargestReach)};
     Item item = make_item(boxes.size() + 1, ItemKind::polygon, square_ring(centre, reach));
     const Box box = bounding_box(item);
     if (touches_any(box, boxes)) continue;
@@ -333,38 +333,38 @@ Workload random_squares(std::size_t count) {
   return workload;
 }
 
-Locations random_locations(std::size_t count) {
+PointsToLocate random_points_to_locate(std::size_t count) {
   return {unit_square_points(kPointSeed, count), unit_square_points(kTargetSeed, count)};
 }
 
-Locations sorted_locations(std::size_t count) {
-  Locations locations = random_locations(count);
-  sort_along_hilbert_curve(locations.targets, {{0.0, 0.0}, {1.0, 1.0}});
-  return locations;
+PointsToLocate sorted_points_to_locate(std::size_t count) {
+  PointsToLocate workload = random_points_to_locate(count);
+  sort_along_hilbert_curve(workload.targets, {{0.0, 0.0}, {1.0, 1.0}});
+  return workload;
 }
 
-Locations uneven_locations(std::size_t count) {
-  Locations locations = random_locations(count);
-  for (std::vector<Point>* const points : {&locations.points, &locations.targets}) {
+PointsToLocate uneven_points_to_locate(std::size_t count) {
+  PointsToLocate workload = random_points_to_locate(count);
+  for (std::vector<Point>* const points : {&workload.points, &workload.targets}) {
     for (std::size_t i = 0; i < points->size(); ++i) {
       if (i % 10 != 0) (*points)[i] = {0.4 + (*points)[i].x / 10.0, 0.7 + (*points)[i].y / 10.0};
     }
   }
-  return locations;
+  return workload;
 }
 
 Workload disjoint_segments(std::size_t count) {
   Random random(61);
-  std::size_t side = 1;
-  while (side * side < count) ++side;
-  std::vector<std::size_t> squares(side * side);
+  std::size_t row_length = 1;
+  while (row_length * row_length < count) ++row_length;
+  std::vector<std::size_t> squares(row_length * row_length);
   std::iota(squares.begin(), squares.end(), std::size_t{0});
   for (std::size_t i = squares.size(); i > 1; --i) std::swap(squares[i - 1], squares[random.below(i)]);
-  const auto extent = static_cast<double>(side);
+  const auto extent = static_cast<double>(row_length);
   Workload workload{{{0.0, 0.0}, {extent, extent}}, {}, {}};
   for (std::size_t i = 0; i < count; ++i) {
-    const auto column = static_cast<double>(squares[i] % side);
-    const auto row = static_cast<double>(squares[i] / side);
+    const auto column = static_cast<double>(squares[i] % row_length);
+    const auto row = static_cast<double>(squares[i] / row_length);
     const auto within = [&](double first) { return first + 0.02 + 0.96 * random.unit(); };
     const Point from{within(column), within(row)};
     const Point to{within(column), within(row)};

@@ -31,9 +31,9 @@ struct Workload {
 /// Returns the same points along a Hilbert curve, so that each lies near the one before.
 [[nodiscard]] Workload sorted_points(std::size_t count);
 
-/// Returns `side` x `side` points of a lattice. Every four neighbours lie on a circle. The rows run alternately forth
-/// and back.
-[[nodiscard]] Workload lattice_points(std::size_t side);
+/// Returns `row_length` x `row_length` points of a lattice. Every four neighbours lie on a circle. The rows run
+/// alternately forth and back.
+[[nodiscard]] Workload lattice_points(std::size_t row_length);
 
 /// Returns the removal of half of `count` random whole points in 2^20, in random order.
 [[nodiscard]] Workload point_removal(std::size_t count);
@@ -76,17 +76,17 @@ enum class Crowd : unsigned char {
 [[nodiscard]] Workload random_squares(std::size_t count);
 
 /// Points in the unit square to locate among others, equally many of each.
-struct Locations {
+struct PointsToLocate {
   std::vector<Point> points;   ///< the vertices
   std::vector<Point> targets;  ///< the points to locate, in order
 };
 
 /// Returns random points, in random order.
-[[nodiscard]] Locations random_locations(std::size_t count);
+[[nodiscard]] PointsToLocate random_points_to_locate(std::size_t count);
 /// Returns random points; the targets follow a Hilbert curve.
-[[nodiscard]] Locations sorted_locations(std::size_t count);
+[[nodiscard]] PointsToLocate sorted_points_to_locate(std::size_t count);
 /// Returns points in random order. Nine in ten of the vertices and of the targets lie in a hundredth of the square.
-[[nodiscard]] Locations uneven_locations(std::size_t count);
+[[nodiscard]] PointsToLocate uneven_points_to_locate(std::size_t count);
 
 /// Returns `count` segments, none of which touches another: one in each square of a lattice, in random order.
 [[nodiscard]] Workload disjoint_segments(std::size_t count);

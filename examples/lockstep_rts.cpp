@@ -95,8 +95,8 @@ Commands commands_of(std::size_t player, Tick tick) {
   const Tick row = tick / kRow;
   if (tick < kOpening || row % 2 == 1) {
     const Point first = point_of(number_of(player, row));
-    const double side = kSpacing * static_cast<double>(tick % kRow);
-    const Point centre{first.x, first.y > kMapSize / 2 ? first.y - side : first.y + side};
+    const double shift = kSpacing * static_cast<double>(tick % kRow);
+    const Point centre{first.x, first.y > kMapSize / 2 ? first.y - shift : first.y + shift};
     commands.building = {building_id(player, tick), building_at(centre, number_of(player, row))};
   } else {
     const Tick index = (tick - kOpening) / (2 * kRow) * kRow + tick % kRow;

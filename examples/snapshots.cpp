@@ -25,7 +25,7 @@ void find_paths(const WorldSnapshot& snapshot, bool& is_reachable) {
 }
 
 /// The reader finds paths in the old state while this thread closes the door.
-void close_gate(World& world) {
+void close_door(World& world) {
   bool is_reachable = false;
   WorldSnapshot snapshot = world.publish();
   std::thread reader([copy = snapshot, &is_reachable] { find_paths(copy, is_reachable); });
@@ -44,5 +44,5 @@ void close_gate(World& world) {
 int main() {
   World world = World::create({{0, 0}, {100, 100}}).value();
   world.insert(Shape::segment({50, 0}, {50, 80}), 1).value();
-  close_gate(world);
+  close_door(world);
 }

@@ -17,9 +17,9 @@ constexpr std::size_t kRepetitions = 20;  ///< of the operation of an input with
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// Contours: items in items.
+// Nested polygons: items in items.
 
-World world_of_contours(std::size_t n) {
+World world_of_nested_polygons(std::size_t n) {
   World world = World::create(kGrowthDomain).value();
   for (std::size_t i = 0; i < n; ++i) {
     const double radius = 900.0 * static_cast<double>(n - i) / static_cast<double>(n);
@@ -28,13 +28,13 @@ World world_of_contours(std::size_t n) {
   return world;
 }
 
-void contours_outermost_first(std::size_t n, Meter& meter) {
-  World world = world_of_contours(n);
+void nested_polygons_outermost_first(std::size_t n, Meter& meter) {
+  World world = world_of_nested_polygons(n);
   measure_removal(world, ids_up_to(n), meter);
 }
 
-void contours_in_random_order(std::size_t n, Meter& meter) {
-  World world = world_of_contours(n);
+void nested_polygons_in_random_order(std::size_t n, Meter& meter) {
+  World world = world_of_nested_polygons(n);
   std::vector<ItemId> ids = ids_up_to(n);
   shuffle(ids);
   measure_removal(world, ids, meter);
@@ -296,12 +296,12 @@ void many_scales(std::size_t n, Meter& meter) {
 // One small operation in a large world.
 
 void insert_boxes(World& world, std::size_t n) {
-  const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)));
-  const double step = 1600.0 / static_cast<double>(side);
+  const auto row_length = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)));
+  const double step = 1600.0 / static_cast<double>(row_length);
   std::vector<Item> items;
-  for (std::size_t i = 0; i < side * side; ++i) {
-    const double x = -800.0 + step * (static_cast<double>(i % side) + 0.5);
-    const double y = -800.0 + step * (static_cast<double>(i / side) + 0.5);
+  for (std::size_t i = 0; i < row_length * row_length; ++i) {
+    const double x = -800.0 + step * (static_cast<double>(i % row_length) + 0.5);
+    const double y = -800.0 + step * (static_cast<double>(i / row_length) + 0.5);
     items.push_back({ItemId{i + 1}, square({x, y}, step / 4)});
   }
   static_cast<void>(world.insert_all(items).value());
@@ -316,8 +316,8 @@ void insert_and_remove(World& world, const Shape& shape, Meter& meter) {
 void door(std::size_t n, Meter& meter) {
   World world = World::create(kGrowthDomain).value();
   insert_boxes(world, n);
-  const auto side = static_cast<double>(static_cast<std::size_t>(std::sqrt(static_cast<double>(n))));
-  const double x = 1600.0 / side * static_cast<double>(static_cast<std::size_t>(side / 2)) - 800.0;
+  const auto row_length = static_cast<double>(static_cast<std::size_t>(std::sqrt(static_cast<double>(n))));
+  const double x = 1600.0 / row_length * static_cast<double>(static_cast<std::size_t>(row_length / 2)) - 800.0;
   const std::vector<Point> below = {{x, -1000}, {x, 0.01}};
   const std::vector<Point> above = {{x, 0.02}, {x, 1000}};
   static_cast<void>(world.insert(Shape::polyline(below)).value());
@@ -371,10 +371,10 @@ void rooms_at_once(std::size_t n, Meter& meter) {
 }
 
 constexpr Input kInputs[] = {
-    {"contours_outermost_first", 200, false, "n nested polygons of 100 corners, removed outermost first",
-     contours_outermost_first},
-    {"contours_in_random_order", 200, false, "n nested polygons of 100 corners, removed in random order",
-     contours_in_random_order},
+    {"nested_polygons_outermost_first", 200, false, "n nested polygons of 100 corners, removed outermost first",
+     nested_polygons_outermost_first},
+    {"nested_polygons_in_random_order", 200, false, "n nested polygons of 100 corners, removed in random order",
+     nested_polygons_in_random_order},
     {"squares_outermost_first", 4000, false, "n nested squares, inserted outermost first", squares_outermost_first},
     {"squares_innermost_first", 4000, false, "n nested squares, inserted innermost first", squares_innermost_first},
     {"squares_in_random_order", 4000, false, "n nested squares, inserted in random order", squares_in_random_order},

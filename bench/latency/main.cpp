@@ -129,14 +129,14 @@ class Town {
 
   /// Returns a position in a free square at most kReach squares from the start, along each axis.
   [[nodiscard]] Point goal_near(const Point& start) {
-    const auto side = static_cast<std::int64_t>(row_length_);
+    const auto row_length = static_cast<std::int64_t>(row_length_);
     for (;;) {
       const auto x = static_cast<std::int64_t>(start.x / kSquare) +
                      static_cast<std::int64_t>(random_.below(2 * kReach + 1)) - kReach;
       const auto y = static_cast<std::int64_t>(start.y / kSquare) +
                      static_cast<std::int64_t>(random_.below(2 * kReach + 1)) - kReach;
-      if (x < 0 || y < 0 || x >= side || y >= side) continue;
-      const auto square = static_cast<std::size_t>(y * side + x);
+      if (x < 0 || y < 0 || x >= row_length || y >= row_length) continue;
+      const auto square = static_cast<std::size_t>(y * row_length + x);
       if (ids_[square].is_null()) return position_in(square);
     }
   }

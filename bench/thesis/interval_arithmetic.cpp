@@ -13,9 +13,9 @@ namespace {
 Bounds bounds_of(const mpq_class& number) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double cut = number.get_d();
-  const int side = cmp(number, mpq_class(cut));
-  if (side == 0) return {cut, cut};
-  return side > 0 ? Bounds{cut, std::nextafter(cut, kInfinity)} : Bounds{std::nextafter(cut, -kInfinity), cut};
+  const int order = cmp(number, mpq_class(cut));
+  if (order == 0) return {cut, cut};
+  return order > 0 ? Bounds{cut, std::nextafter(cut, kInfinity)} : Bounds{std::nextafter(cut, -kInfinity), cut};
 }
 
 std::optional<std::strong_ordering> order_of_bounds(const Bounds& p, const Bounds& q) {

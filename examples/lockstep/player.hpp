@@ -18,11 +18,11 @@ inline Commands commands_of(std::size_t player, Tick tick, const Simulation& gam
   const std::uint64_t number = mixed(1 + player * 1000003 + tick * kPlayers * 1000033);
   const auto coordinate = [&](std::uint64_t i) { return static_cast<std::uint16_t>(map_size * share_of(number + i)); };
   Commands commands;
-  const Tick turn = tick / kPlayers;
-  if (tick % kPlayers == player && (turn < kOpening || turn % 2 == 0)) {
+  const Tick round = tick / kPlayers;
+  if (tick % kPlayers == player && (round < kOpening || round % 2 == 0)) {
     commands.building = Commands::Site{coordinate(0), coordinate(1)};
   } else if (tick % kPlayers == player) {
-    const Tick index = (turn - kOpening) / 2;  // the oldest building that stands
+    const Tick index = (round - kOpening) / 2;  // the oldest building that stands
     const Tick built = index < kOpening ? index : 2 * index - kOpening;
     commands.destroys = built * static_cast<Tick>(kPlayers) + static_cast<Tick>(player);
   }

@@ -181,12 +181,12 @@ HalfEdge BridgeFinder::follow_diameter(HalfEdge corner) const {
   diameter.compute_s(*left);
   for (;;) {
     diameter.compute_s(*apex);
-    Sign side = diameter.sure_side_of(*apex);
-    if (side == Sign::zero) {
-      if (may_meet(*right, *apex) | may_meet(*apex, *left)) side = side_of_diameter(corner, entry);
-      if (side == Sign::zero) return mesh::kNoHalfEdge;
+    Sign apex_side = diameter.sure_side_of(*apex);
+    if (apex_side == Sign::zero) {
+      if (may_meet(*right, *apex) | may_meet(*apex, *left)) apex_side = side_of_diameter(corner, entry);
+      if (apex_side == Sign::zero) return mesh::kNoHalfEdge;
     }
-    const bool is_left = side == Sign::positive;
+    const bool is_left = apex_side == Sign::positive;
     exit = is_left ? mesh::next(entry) : mesh::previous(entry);
     std::swap(apex, is_left ? left : right);
     if (!may_meet(*right, *left)) return mesh::kNoHalfEdge;

@@ -70,7 +70,7 @@ bool has_any_loose_ring(const Triangulation& world) {
 
 Clearance::Clearance(const Triangulation& world) {
   if (has_any_loose_ring(world)) walls_ = walls_of(world);
-  bridges_ = std::make_unique<Bridges>(walls(world));
+  bridges_ = std::make_unique<Bridges>(triangulation_of_walls(world));
 }
 
 void Clearance::begin() {
@@ -99,7 +99,7 @@ void Clearance::update(const Triangulation& world) {
   if (!walls_ && is_any_changed_loose(world)) return make_walls(world);
   if (walls_) update_walls(world);
   changed_walls_.sort();
-  bridges_->update(walls(world), changed_walls_);
+  bridges_->update(triangulation_of_walls(world), changed_walls_);
   are_bridges_changed_ = true;
 }
 
@@ -158,7 +158,7 @@ std::optional<std::string> Clearance::find_fault(const Triangulation& world) con
   } else if (has_any_loose_ring(world)) {
     return "an item has a ring with one corner, but the walls have no mesh of their own";
   }
-  return bridges_->find_fault(walls(world));
+  return bridges_->find_fault(triangulation_of_walls(world));
 }
 
 void Clearance::count_memory(MemoryUse& use) const {

@@ -37,7 +37,9 @@ class Clearance {
   ~Clearance() = default;
 
   /// The triangulation to which bridges() belongs.
-  [[nodiscard]] const Triangulation& walls(const Triangulation& world) const { return walls_ ? *walls_ : world; }
+  [[nodiscard]] const Triangulation& triangulation_of_walls(const Triangulation& world) const {
+    return walls_ ? *walls_ : world;
+  }
   [[nodiscard]] const Bridges& bridges() const { return *bridges_; }
 
   /// Makes an operation atomic. If the object is destroyed before commit(), for example because memory ran out, the

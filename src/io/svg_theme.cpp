@@ -24,7 +24,7 @@ constexpr std::array<Colours, 23> kColours{{
     {Ink::ground, "ground", "#faf8f3", "#1b222a"},
     {Ink::mesh, "mesh", "#b8c8d6", "#3a4a59"},
     {Ink::solid, "solid", "#a9b4bf", "#4b5865"},
-    {Ink::solid_edge, "solid-edge", "#5d6b78", "#8796a5"},
+    {Ink::solid_outline, "solid-outline", "#5d6b78", "#8796a5"},
     {Ink::wall, "wall", "#22303c", "#e3e9ee"},
     {Ink::point, "point", "#56789a", "#8fb0d0"},
     {Ink::text, "text", "#22303c", "#e6ebf0"},

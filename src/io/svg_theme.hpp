@@ -15,7 +15,7 @@ enum class Ink : std::uint8_t {
   ground,
   mesh,
   solid,
-  solid_edge,
+  solid_outline,
   wall,
   point,
   text,

@@ -185,7 +185,8 @@ class WorldDrawer {
   }
 
   [[nodiscard]] std::string draw_solids() const {
-    std::string out = open_group("polygons", Ink::solid, Ink::solid_edge, strokes_.solid) + " fill-rule=\"evenodd\">\n";
+    std::string out =
+        open_group("polygons", Ink::solid, Ink::solid_outline, strokes_.solid) + " fill-rule=\"evenodd\">\n";
     for (const Item& item : items_.solids) {
       PathData data(frame_);
       for (const PointSpan ring : item.shape.rings) data.add_ring(ring);
@@ -243,7 +244,7 @@ class WorldDrawer {
 
   [[nodiscard]] std::string solid_sample() const {
     return "<path d=\"M3 4L12 1L26 3L25 15L7 15Z\" stroke-width=\"1.5\" stroke-linejoin=\"round\"" +
-           palette_({Ink::solid}, {Ink::solid_edge}) + "/>";
+           palette_({Ink::solid}, {Ink::solid_outline}) + "/>";
   }
 
   [[nodiscard]] std::string dot_sample() const {

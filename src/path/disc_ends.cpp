@@ -5,8 +5,8 @@ namespace waywright::path {
 void DiscEnds::begin(const DiscMap& map, const Point& start, const Point& goal) {
   start_ = start - map.origin;
   goal_ = goal - map.origin;
-  at_start_ = map.walls.triangulation().locate(start);
-  const locate::Located at_goal = map.walls.triangulation().locate(goal);
+  at_start_ = map.triangulation.triangulation().locate(start);
+  const locate::Located at_goal = map.triangulation.triangulation().locate(goal);
   goal_face_ = at_goal.h;
   goal_faces_[0] = goal_faces_[1] = mesh::face(at_goal.h);
   if (at_goal.kind == locate::LocatedKind::edge) goal_faces_[1] = mesh::face(map.mesh().twin(at_goal.h));

@@ -19,7 +19,7 @@ void DiscGuide::begin(const DiscMap& map, const DiscEnds& ends, const Point& sta
   distances_.begin(map, ends.start(), std::span(start_faces, last_.size()));
   if (is_goal_on_edge) distances_.cross(at_goal);
   const locate::LocatedKind kind = is_goal_on_edge ? locate::LocatedKind::edge : locate::LocatedKind::face;
-  search_.begin(map.walls, nullptr, {goal, kind, first_}, true);
+  search_.begin(map.triangulation, nullptr, {goal, kind, first_}, true);
   search_.guide(distances_);
   search_.add_goal(start, last_);
   search_.start();

@@ -23,16 +23,16 @@ namespace waywright::path {
 class DiscMap {
  public:
   /// `two_core` is the two-core of the triangulation, or null. The search uses it to leave out dead ends.
-  DiscMap(const constraint::ExactTriangulation& triangulation, const clearance::Bridges& all_bridges,
+  DiscMap(const constraint::ExactTriangulation& triangulation_of_walls, const clearance::Bridges& all_bridges,
           double radius_of_disc, const Point& start, const nav::TwoCore* two_core = nullptr)
-      : walls(triangulation), bridges(all_bridges), core(two_core), exact_radius(radius_of_disc) {
-    const Box& domain = walls.domain();
+      : triangulation(triangulation_of_walls), bridges(all_bridges), core(two_core), exact_radius(radius_of_disc) {
+    const Box& domain = triangulation.domain();
     const double extent = std::max(domain.max.x - domain.min.x, domain.max.y - domain.min.y);
     const double largest = std::max({-domain.min.x, -domain.min.y, domain.max.x, domain.max.y});
     const bool is_far = largest > kFar * extent;
     if (is_far) origin = start;
     const double unit = 0x1p-50 * (is_far ? extent : largest);
-    const double rounding = std::max(unit, constraint::largest_rounding(walls));
+    const double rounding = std::max(unit, constraint::largest_rounding(triangulation));
     radius = std::max(exact_radius, kLeastRoundings * rounding);
     explicit_slack = std::max(0x1p-34 * radius, unit);
     slack = std::max(explicit_slack, rounding);
@@ -42,7 +42,7 @@ class DiscMap {
     surely_long = 4.0 * longer * longer;
   }
 
-  const constraint::ExactTriangulation& walls;
+  const constraint::ExactTriangulation& triangulation;
   const clearance::Bridges& bridges;
   const nav::TwoCore* core;
   double exact_radius;
@@ -58,10 +58,10 @@ class DiscMap {
   /// search does not need the exact decision.
   double surely_long;
 
-  [[nodiscard]] const mesh::TriangleMesh& mesh() const { return walls.topology(); }
+  [[nodiscard]] const mesh::TriangleMesh& mesh() const { return triangulation.topology(); }
   /// The position of a vertex, relative to `origin`.
   [[nodiscard]] Point position(mesh::Vertex v) const {
-    return walls.triangulation().geometry().rounded(number(v)) - origin;
+    return triangulation.triangulation().geometry().rounded(number(v)) - origin;
   }
 
   /// The search accepts a path if no wall is nearer to it than the radius minus this number. The number allows for
@@ -75,7 +75,7 @@ class DiscMap {
   [[nodiscard]] bool is_closed(mesh::HalfEdge h) const {
     if (mesh().is_fixed(h)) return true;
     if (!bridges.is_bridge(h)) return false;
-    const exact::Geometry& geometry = walls.triangulation().geometry();
+    const exact::Geometry& geometry = triangulation.triangulation().geometry();
     const Point& from = geometry.rounded(number(mesh().origin(h)));
     const Point& to = geometry.rounded(number(mesh().target(h)));
     if (squared_length(to - from) > surely_long) return false;
@@ -119,8 +119,8 @@ class DiscMap {
 
  private:
   [[nodiscard]] exact::Gap foot_gap(mesh::HalfEdge corner, std::uint32_t foot) const {
-    const exact::Geometry& geometry = walls.triangulation().geometry();
-    const constraint::Side& side = walls.any_side(bridges.foot(foot).wall);
+    const exact::Geometry& geometry = triangulation.triangulation().geometry();
+    const constraint::Side& side = triangulation.any_side(bridges.foot(foot).wall);
     return {geometry.rounded(number(mesh().origin(corner))), geometry.rounded(number(side.from)),
             geometry.rounded(number(side.to))};
   }

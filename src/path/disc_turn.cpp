@@ -8,7 +8,7 @@ HalfEdge corner_towards(const DiscMap& map, HalfEdge corner, const Point& direct
   const mesh::TriangleMesh& mesh = map.mesh();
   const Point from = map.position(mesh.origin(corner));
   const auto contains = [&](HalfEdge h) {
-    return !map.walls.triangulation().is_ghost_face(h) &&
+    return !map.triangulation.triangulation().is_ghost_face(h) &&
            cross(map.position(mesh.target(h)) - from, direction) >= 0.0 &&
            cross(map.position(mesh.apex(h)) - from, direction) < 0.0;
   };

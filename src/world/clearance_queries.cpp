@@ -96,7 +96,7 @@ void World::Impl::widest_path(const Point& start, const Point& goal, detail::Que
   };
   auto& gap = scratch.widest_gap;
   gap.clear();
-  const constraint::ExactTriangulation& walls = clearance->walls(triangulation);
+  const constraint::ExactTriangulation& walls = clearance->triangulation_of_walls(triangulation);
   if (!is_inside_polygon(start) && !is_inside_polygon(goal)) {
     scratch.widest_gap_finder.find(walls, clearance->bridges(), scratch.near_walls, start, goal, gap);
   }
@@ -126,7 +126,7 @@ Result<void> World::bridges(const Box& box, QueryContext& context, BridgeList& l
   if (auto error = find_box_error(box)) return *std::move(error);
   if (!impl_->clearance) return Error{ErrorCode::no_bridges, "the query needs a world that keeps its bridges", {}, 0};
   const clearance::Clearance& clearance = *impl_->clearance;
-  const constraint::ExactTriangulation& walls = clearance.walls(impl_->triangulation);
+  const constraint::ExactTriangulation& walls = clearance.triangulation_of_walls(impl_->triangulation);
   nav::ComponentCoverFinder& cover_finder = context.scratch_->cover_finder;
   cover_finder.use(&walls == &impl_->triangulation ? impl_->kept_abstraction() : nullptr);
   context.scratch_->bridge_lister.list(walls, clearance.bridges(), cover_finder, box, list);

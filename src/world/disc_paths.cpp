@@ -252,7 +252,7 @@ std::optional<Point> World::Impl::find_disc_end(const PathQuery& query, const Po
 /// Starts the search for a path, or finds the straight line. Requires: the disc fits at both ends.
 void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch& scratch) const {
   detail::DiscSearch& disc = scratch.disc_search;
-  const constraint::ExactTriangulation& walls = clearance->walls(triangulation);
+  const constraint::ExactTriangulation& walls = clearance->triangulation_of_walls(triangulation);
   const bool has_abstraction = abstraction && &walls == &triangulation;
   disc.start = query.start;
   disc.goal = query.goal;

@@ -64,7 +64,7 @@ std::optional<Point> World::Impl::nearest_fit_of_disc(const NearestFitQuery& que
   if (!query.goal) {
     return scratch.nearest_fit.find(triangulation, scratch.cover_finder, scratch.near_walls, of_disc, nullptr);
   }
-  const constraint::ExactTriangulation& walls = clearance->walls(triangulation);
+  const constraint::ExactTriangulation& walls = clearance->triangulation_of_walls(triangulation);
   const auto cell = scratch.near_walls.find_cell(walls, clearance->bridges(), *query.goal);
   const clearance::NearestFit::Goal goal{walls, clearance->bridges(), *cell};
   return scratch.nearest_fit.find(triangulation, scratch.cover_finder, scratch.near_walls, of_disc, &goal);

@@ -249,7 +249,7 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   [[nodiscard]] bool may_lose_crossing(const ChangedBox& changed, Boxes boxes) const;
   [[nodiscard]] static bool turns_in(const Watched& path, const Box& box);
   [[nodiscard]] static bool touches(const Watched& path, std::uint32_t segment, const Box& box);
-  [[nodiscard]] bool has_easy_pieces(std::uint32_t slot, Boxes boxes) const;
+  [[nodiscard]] bool can_decide_by_pieces(std::uint32_t slot, Boxes boxes) const;
   [[nodiscard]] bool is_clear(std::uint32_t slot, const World& world, Boxes boxes);
   void check_box(const ChangedBox& changed, const World& world, Boxes boxes, PathChanges& changes);
   void check_all(const World& world, PathChanges& changes);
@@ -375,7 +375,7 @@ bool PathWatch::Impl::crosses_wall(const Box& around, Diagonal diagonal) const {
 /// Returns whether PolylineWalk::find_piece_state() can decide about the pieces of a path that the boxes touch. It
 /// cannot decide if the path was blocked, or if an operation has removed an item where the path turns: the turn may
 /// have been at a crossing that no longer exists. If there are many boxes, the result is false, too.
-bool PathWatch::Impl::has_easy_pieces(std::uint32_t slot, Boxes boxes) const {
+bool PathWatch::Impl::can_decide_by_pieces(std::uint32_t slot, Boxes boxes) const {
   constexpr std::size_t kMostBoxes = 8;
   const Watched& path = watched[slot];
   if (states[slot].is_blocked || path.points.size() < 2 || boxes.empty() || boxes.size() > kMostBoxes) return false;
@@ -415,7 +415,7 @@ bool PathWatch::Impl::is_clear(std::uint32_t slot, const World& world, Boxes box
     const auto touches = [&](const ChangedBox& box) { return path::may_touch(points.subspan(i, 2), box.box); };
     return std::any_of(boxes.begin(), boxes.end(), touches);
   };
-  bool is_sure = has_easy_pieces(slot, boxes);
+  bool is_sure = can_decide_by_pieces(slot, boxes);
   for (std::size_t first = 0; is_sure && first + 1 < points.size(); ++first) {
     if (!is_touched(first)) continue;
     std::size_t last = first + 1;

@@ -92,7 +92,7 @@ std::vector<std::vector<std::uint32_t>> World::Impl::areas_of(PointSpan points, 
 std::vector<std::vector<std::uint32_t>> World::Impl::areas_of(PointSpan points, double radius,
                                                               detail::QueryScratch& scratch) const {
   std::vector<Areas> areas(points.size());
-  const constraint::ExactTriangulation& walls = clearance->walls(triangulation);
+  const constraint::ExactTriangulation& walls = clearance->triangulation_of_walls(triangulation);
   const clearance::Cells cells(walls, clearance->bridges());
   std::vector<std::optional<clearance::CellEdge>> cell_of(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {

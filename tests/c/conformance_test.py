@@ -39,7 +39,7 @@ def main(arguments):
             for answer in expected:
                 kinds[answer["op"]] = kinds.get(answer["op"], 0) + 1
     if len(kinds) < 8:
-        sys.exit(f"only these operations have answers: {kinds}")
+        sys.exit(f"only these kinds of lines have answers: {kinds}")
     print(f"{count} equal answers: {kinds}")
     return 0
 

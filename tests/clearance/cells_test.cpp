@@ -39,9 +39,7 @@ class Map {
     bridges_.emplace(mesh_);
   }
 
-  [[nodiscard]] bool is_free(const Point& point, double radius) {
-    return near_.has_no_nearer_wall(mesh_, point, radius);
-  }
+  [[nodiscard]] bool fits(const Point& point, double radius) { return near_.has_no_nearer_wall(mesh_, point, radius); }
   [[nodiscard]] std::optional<CellEdge> cell_at(const Point& point) { return near_.find_cell(mesh_, *bridges_, point); }
   [[nodiscard]] clearance::Narrowest narrowest(const CellEdge& start, const CellEdge& goal) {
     return widest_.find(cells(), start, goal);
@@ -76,8 +74,8 @@ void check_scene(const NamedScene& scene) {
   for (const auto& [start, goal] : scene.queries) {
     SCOPED_TRACE(to_string(start) + " to " + to_string(goal));
     for (const double radius : scene.radii) {
-      ASSERT_EQ(map.is_free(start, radius), oracle.is_free(start, radius)) << "start, radius " << radius;
-      ASSERT_EQ(map.is_free(goal, radius), oracle.is_free(goal, radius)) << "goal, radius " << radius;
+      ASSERT_EQ(map.fits(start, radius), oracle.fits(start, radius)) << "start, radius " << radius;
+      ASSERT_EQ(map.fits(goal, radius), oracle.fits(goal, radius)) << "goal, radius " << radius;
     }
     const auto start_cell = map.cell_at(start);
     const auto goal_cell = map.cell_at(goal);
@@ -93,7 +91,7 @@ void check_scene(const NamedScene& scene) {
     const Rational expected = widest->is_limited ? std::min(largest, widest->squared_diameter) : largest;
     ASSERT_EQ(found.gate ? std::min(largest, squared_length(map.cells().gap(*found.gate))) : largest, expected);
     for (const double radius : scene.radii) {
-      if (!oracle.is_free(start, radius) || !oracle.is_free(goal, radius)) continue;
+      if (!oracle.fits(start, radius) || !oracle.fits(goal, radius)) continue;
       const bool fits = !found.gate || exact::compare_to_diameter(map.cells().gap(*found.gate), radius) >= 0;
       ASSERT_EQ(fits, oracle.connected(start, goal, radius)) << "radius " << radius;
     }

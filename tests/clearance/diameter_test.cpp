@@ -25,7 +25,7 @@ struct Case {
 
 /// What the doubles decided in the cases.
 struct Decided {
-  int sides = 0;
+  int signs = 0;
   int crossings = 0;  ///< rejected
   int ends = 0;       ///< rejected
 };
@@ -48,9 +48,9 @@ void check(const Case& at, Decided& decided) {
   Diameter::Vector left = vector_to(4);
   diameter.compute_s(right);
   diameter.compute_s(left);
-  if (const Sign side = diameter.sure_side_of(left); side != Sign::zero) {
-    EXPECT_EQ(side, rational_orientation(w, centre, q));
-    ++decided.sides;
+  if (const Sign sign = diameter.sure_side_of(left); sign != Sign::zero) {
+    EXPECT_EQ(sign, rational_orientation(w, centre, q));
+    ++decided.signs;
   }
   const bool crosses = is_acute(w, p, q) && is_acute(w, q, p);
   if (!Diameter::may_cross(right, left)) {
@@ -91,7 +91,7 @@ TEST_P(Diameters, DecideOnlyWhatIsSure) {
     }
     check(at, decided);
   }
-  EXPECT_GT(decided.sides, 200);
+  EXPECT_GT(decided.signs, 200);
   EXPECT_GT(decided.crossings, 200);
   EXPECT_GT(decided.ends, 100);
 }

@@ -38,11 +38,11 @@ testing::AssertionResult is_delaunay(const Triangulation& triangulation) {
       if (!mesh.is_live(Vertex{j}) || Vertex{j} == triangulation.ghost()) continue;
       if (std::find(corners.begin(), corners.end(), Vertex{j}) != corners.end()) continue;
       const RationalPoint q = rational(triangulation.geometry().exact(j));
-      const exact::Sign side = rational_in_circle(p[0], p[1], p[2], q);
-      if (side == exact::Sign::positive) return testing::AssertionFailure() << "vertex " << j << " in circle " << i;
+      const exact::Sign sign = rational_in_circle(p[0], p[1], p[2], q);
+      if (sign == exact::Sign::positive) return testing::AssertionFailure() << "vertex " << j << " in circle " << i;
       const bool is_first = std::all_of(
           p.begin(), p.end(), [&](const RationalPoint& r) { return rational_order(q, r) == exact::Sign::negative; });
-      if (side == exact::Sign::zero && is_first) return testing::AssertionFailure() << "tie broken wrongly at " << i;
+      if (sign == exact::Sign::zero && is_first) return testing::AssertionFailure() << "tie broken wrongly at " << i;
     }
   }
   return testing::AssertionSuccess();
@@ -125,14 +125,14 @@ std::map<HalfEdge, std::array<Vertex, 3>> faces_beyond(const Triangulation& tria
     faces[h] = {mesh.origin(h), mesh.target(h), mesh.apex(h)};
   }
   for (const HalfEdge h : crossed) {
-    for (const HalfEdge side : {h, mesh.twin(h)}) faces.erase(mesh::first(mesh::face(side)));
+    for (const HalfEdge half : {h, mesh.twin(h)}) faces.erase(mesh::first(mesh::face(half)));
   }
   return faces;
 }
 
 // Two rows of points lie between the ends, so the forced edge crosses every edge between the rows. Afterwards every
 // free edge must be locally Delaunay; with the forced edge fixed, only one mesh is like that. The faces outside the
-// cavity must not change, though an edge on the cavity's boundary may fail the Delaunay test for a time.
+// cavity must not change, though an edge on the cavity's border may fail the Delaunay test for a time.
 TEST(Triangulation, ForcedEdgeLeavesEveryOtherEdgeLegal) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     Triangulation triangulation({{-10, -200}, {1010, 200}}, kDomainSides);

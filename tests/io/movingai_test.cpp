@@ -115,7 +115,7 @@ TEST(ParseMovingaiMap, PartsTheRingsWhereAGroupTouchesItself) {
 
 bool is_blocked(char tile) { return std::string_view(".GS").find(tile) == std::string_view::npos; }
 
-/// Returns which tiles' centres lie inside an odd number of turns of the rings. Each vertical side changes the parity
+/// Returns which tiles' centres have an odd winding number. Each vertical side changes the parity
 /// of all centres to its right.
 std::vector<std::vector<bool>> covered_tiles(const TileRings& rings, std::size_t height, std::size_t width) {
   std::vector<std::vector<bool>> covered(height, std::vector<bool>(width + 1));

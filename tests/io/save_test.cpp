@@ -392,7 +392,7 @@ class WorldFile : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  [[nodiscard]] std::string path_of(const std::string& name) const { return (folder_ / name).string(); }
+  [[nodiscard]] std::string file_of(const std::string& name) const { return (folder_ / name).string(); }
   [[nodiscard]] std::size_t file_count() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
   }
@@ -410,14 +410,14 @@ class WorldFile : public testing::Test {
 
 TEST_F(WorldFile, IsWrittenAndReadAgain) {
   const World world = world_of(small_contents());
-  ASSERT_TRUE(save_world_file(world, path_of("a.wwb")).ok());
-  EXPECT_EQ(read(path_of("a.wwb")), saved_world::bytes_of(small_contents()));
-  EXPECT_EQ(load_world_file(path_of("a.wwb")).value().mesh_hash(), world.mesh_hash());
+  ASSERT_TRUE(save_world_file(world, file_of("a.wwb")).ok());
+  EXPECT_EQ(read(file_of("a.wwb")), saved_world::bytes_of(small_contents()));
+  EXPECT_EQ(load_world_file(file_of("a.wwb")).value().mesh_hash(), world.mesh_hash());
   EXPECT_EQ(file_count(), 1U);
 }
 
 TEST_F(WorldFile, ReplacesAFileAndKeepsItsPermissions) {
-  const std::string name = path_of("a.wwb");
+  const std::string name = file_of("a.wwb");
   write(name, "old");
   fs::permissions(name, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
   ASSERT_TRUE(save_world_file(world_of(small_contents()), name).ok());
@@ -427,25 +427,25 @@ TEST_F(WorldFile, ReplacesAFileAndKeepsItsPermissions) {
 }
 
 TEST_F(WorldFile, ReplacesTheFileBehindALink) {
-  write(path_of("a.wwb"), "old");
-  fs::create_symlink("a.wwb", path_of("link.wwb"));
-  ASSERT_TRUE(save_world_file(world_of(small_contents()), path_of("link.wwb")).ok());
-  EXPECT_TRUE(fs::is_symlink(path_of("link.wwb")));
-  EXPECT_EQ(read(path_of("a.wwb")), saved_world::bytes_of(small_contents()));
+  write(file_of("a.wwb"), "old");
+  fs::create_symlink("a.wwb", file_of("link.wwb"));
+  ASSERT_TRUE(save_world_file(world_of(small_contents()), file_of("link.wwb")).ok());
+  EXPECT_TRUE(fs::is_symlink(file_of("link.wwb")));
+  EXPECT_EQ(read(file_of("a.wwb")), saved_world::bytes_of(small_contents()));
   EXPECT_EQ(file_count(), 2U);
 }
 
 TEST_F(WorldFile, DoesNotUseATemporaryFileOfSomeoneElse) {
-  write(path_of("a.wwb.tmp0"), "precious");
-  ASSERT_TRUE(save_world_file(world_of(small_contents()), path_of("a.wwb")).ok());
-  EXPECT_EQ(read(path_of("a.wwb.tmp0")), "precious");
+  write(file_of("a.wwb.tmp0"), "precious");
+  ASSERT_TRUE(save_world_file(world_of(small_contents()), file_of("a.wwb")).ok());
+  EXPECT_EQ(read(file_of("a.wwb.tmp0")), "precious");
   EXPECT_EQ(file_count(), 2U);
 }
 
 TEST_F(WorldFile, IsNotWrittenWhereNoFileCanBe) {
-  fs::create_directories(path_of("folder"));
+  fs::create_directories(file_of("folder"));
   for (const std::string& name :
-       {path_of("folder"), path_of("missing/a.wwb"), std::string(), path_of(std::string(300, 'a'))}) {
+       {file_of("folder"), file_of("missing/a.wwb"), std::string(), file_of(std::string(300, 'a'))}) {
     const Result<void> saved = save_world_file(world_of(small_contents()), name);
     ASSERT_FALSE(saved.ok()) << name;
     EXPECT_EQ(saved.error().code, ErrorCode::unwritable);
@@ -477,7 +477,7 @@ class FileSizeLimit {
 };
 
 TEST_F(WorldFile, StaysAsItWasIfTheNewOneCannotBeWritten) {
-  const std::string name = path_of("a.wwb");
+  const std::string name = file_of("a.wwb");
   write(name, "old");
   World large = world_of(small_contents());
   std::vector<Point> points;
@@ -505,10 +505,10 @@ TEST_F(WorldFile, WithAFaultIsRefusedByName) {
     EXPECT_EQ(world.error().code, code);
     EXPECT_EQ(world.error().message().rfind(name + ": " + text, 0), 0U) << world.error().message();
   };
-  const std::string name = path_of("a.wwb");
+  const std::string name = file_of("a.wwb");
   expect(name, ErrorCode::unreadable, "cannot be read: ");
-  fs::create_directories(path_of("folder"));
-  expect(path_of("folder"), ErrorCode::unreadable, "cannot be read: ");
+  fs::create_directories(file_of("folder"));
+  expect(file_of("folder"), ErrorCode::unreadable, "cannot be read: ");
   write(name, "");
   expect(name, ErrorCode::malformed, "byte 0: expected more bytes");
   write(name, bytes.substr(0, 100));

@@ -26,11 +26,11 @@ class ReadScene : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  std::string path_of(std::string_view name) const { return (folder_ / name).string(); }
+  std::string file_of(std::string_view name) const { return (folder_ / name).string(); }
 
   std::string write(std::string_view name, std::string_view text) const {
-    std::ofstream(path_of(name), std::ios::binary) << text;
-    return path_of(name);
+    std::ofstream(file_of(name), std::ios::binary) << text;
+    return file_of(name);
   }
 
   static void expect_error(const std::string& file_name, ErrorCode code, const std::string& start) {
@@ -84,9 +84,9 @@ TEST_F(ReadScene, ReadsASavedWorldUnderAnyName) {
     ASSERT_TRUE(scene.ok()) << scene.error().message();
     EXPECT_EQ(*scene, expected);
   }
-  expect_error(write("b.wwb", bytes.str() + "x"), ErrorCode::malformed, path_of("b.wwb") + ": ");
-  expect_error(write("c.wwb", "waywright 1"), ErrorCode::malformed, path_of("c.wwb") + ": byte ");
-  expect_error(path_of("missing.wwb"), ErrorCode::unreadable, path_of("missing.wwb") + ": ");
+  expect_error(write("b.wwb", bytes.str() + "x"), ErrorCode::malformed, file_of("b.wwb") + ": ");
+  expect_error(write("c.wwb", "waywright 1"), ErrorCode::malformed, file_of("c.wwb") + ": byte ");
+  expect_error(file_of("missing.wwb"), ErrorCode::unreadable, file_of("missing.wwb") + ": ");
 }
 
 TEST_F(ReadScene, ReadsNodesAndPolysWithAndWithoutVertices) {
@@ -105,25 +105,25 @@ TEST_F(ReadScene, ReadsNodesAndPolysWithAndWithoutVertices) {
 }
 
 TEST_F(ReadScene, NamesTheFileThatCannotBeRead) {
-  expect_error(path_of("missing.wws"), ErrorCode::unreadable, path_of("missing.wws") + ": ");
-  fs::create_directories(path_of("folder.map"));
-  expect_error(path_of("folder.map"), ErrorCode::unreadable, path_of("folder.map") + ": ");
-  expect_error(write("a.poly", "0 2 0 0\n0\n0\n"), ErrorCode::unreadable, path_of("a.node") + ": ");
-  EXPECT_EQ(read_scene(path_of("a.poly")).error().message(),
-            path_of("a.node") + ": cannot be read: No such file or directory; it should hold the vertices, of which " +
-                path_of("a.poly") + " counts none");
+  expect_error(file_of("missing.wws"), ErrorCode::unreadable, file_of("missing.wws") + ": ");
+  fs::create_directories(file_of("folder.map"));
+  expect_error(file_of("folder.map"), ErrorCode::unreadable, file_of("folder.map") + ": ");
+  expect_error(write("a.poly", "0 2 0 0\n0\n0\n"), ErrorCode::unreadable, file_of("a.node") + ": ");
+  EXPECT_EQ(read_scene(file_of("a.poly")).error().message(),
+            file_of("a.node") + ": cannot be read: No such file or directory; it should hold the vertices, of which " +
+                file_of("a.poly") + " counts none");
 }
 
 TEST_F(ReadScene, NamesTheFileAndLineThatIsMalformed) {
-  expect_error(write("a.wws", "waywright 1\nfoo\n"), ErrorCode::malformed, path_of("a.wws") + ":2: ");
-  expect_error(write("a.map", "type octile\nheight x\n"), ErrorCode::malformed, path_of("a.map") + ":2: ");
-  expect_error(write("b.node", "1 3\n"), ErrorCode::malformed, path_of("b.node") + ":1: ");
-  expect_error(write("b.poly", "0 2 0 0\n0\n0\n"), ErrorCode::malformed, path_of("b.node") + ":1: ");
-  expect_error(write("c.poly", "1 2 0 0\n1 1e99 0\n0\n0\n"), ErrorCode::coordinate_range, path_of("c.poly") + ":2: ");
+  expect_error(write("a.wws", "waywright 1\nfoo\n"), ErrorCode::malformed, file_of("a.wws") + ":2: ");
+  expect_error(write("a.map", "type octile\nheight x\n"), ErrorCode::malformed, file_of("a.map") + ":2: ");
+  expect_error(write("b.node", "1 3\n"), ErrorCode::malformed, file_of("b.node") + ":1: ");
+  expect_error(write("b.poly", "0 2 0 0\n0\n0\n"), ErrorCode::malformed, file_of("b.node") + ":1: ");
+  expect_error(write("c.poly", "1 2 0 0\n1 1e99 0\n0\n0\n"), ErrorCode::coordinate_range, file_of("c.poly") + ":2: ");
 }
 
 TEST_F(ReadScene, KnowsNoOtherFormat) {
-  expect_error(write("a.txt", "waywright 1\n"), ErrorCode::not_supported, path_of("a.txt") + ": ");
+  expect_error(write("a.txt", "waywright 1\n"), ErrorCode::not_supported, file_of("a.txt") + ": ");
 }
 
 TEST_F(ReadScene, ReadsFilesLargerThanItsBuffer) {

@@ -27,7 +27,7 @@ Triangulation lattice_world(std::uint64_t seed) {
 void expect_true(const Triangulation& triangulation, const Located& location, const Point& point) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto view = exact::Geometry::view(point);
-  const auto side = [&](HalfEdge h) {
+  const auto orientation = [&](HalfEdge h) {
     return triangulation.geometry().orientation(triangulation.view(mesh.origin(h)), triangulation.view(mesh.target(h)),
                                                 view);
   };
@@ -38,7 +38,7 @@ void expect_true(const Triangulation& triangulation, const Located& location, co
       EXPECT_EQ(origin, point);
       break;
     case LocatedKind::edge: {
-      EXPECT_EQ(side(location.h), exact::Sign::zero);
+      EXPECT_EQ(orientation(location.h), exact::Sign::zero);
       const Point target = triangulation.geometry().rounded(number(mesh.target(location.h)));
       const double along = (point.x - origin.x) * (target.x - origin.x) + (point.y - origin.y) * (target.y - origin.y);
       const double length =
@@ -49,7 +49,7 @@ void expect_true(const Triangulation& triangulation, const Located& location, co
     }
     case LocatedKind::face:
       for (const HalfEdge h : {location.h, mesh::next(location.h), mesh::previous(location.h)}) {
-        EXPECT_EQ(side(h), exact::Sign::positive);
+        EXPECT_EQ(orientation(h), exact::Sign::positive);
       }
   }
 }

@@ -28,7 +28,7 @@ std::vector<Point> random_points(std::size_t count) {
   return points;
 }
 
-/// Returns walls from point to point, under ids with gaps.
+/// Returns walls from point to point, under ids that are not consecutive.
 std::vector<Item> random_walls(std::size_t count) {
   const std::vector<Point> points = random_points(count);
   std::vector<Item> items;

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns a world in which the first steps of a script were made, after which it still has journals and free slots.
+/// Returns a world in which the first steps of a script were made, after which it still has undo logs and free slots.
 World half_done(const ChangeScript& script, const WorldOptions& options) {
   World world = World::create(script.domain, options).value();
   for (std::size_t i = 0; i < script.steps.size() / 2; ++i) static_cast<void>(world.apply(script.steps[i].changes));

@@ -95,10 +95,10 @@ Triangles random_triangles(std::uint32_t corner_count, Random& random) {
 /// Fills the cavity of a vertex with a random triangulation, unless that would create an edge that already exists.
 void refill(TriangleMesh& mesh, Vertex v, Random& random) {
   std::vector<Vertex> link;
-  std::vector<HalfEdge> sides;
+  std::vector<HalfEdge> border;
   mesh.for_each_outgoing(v, [&](HalfEdge h) {
     link.push_back(mesh.target(h));
-    sides.push_back(mesh::next(h));
+    border.push_back(mesh::next(h));
   });
   if (mesh.vertex_count() <= 8 || std::set<Vertex>(link.begin(), link.end()).size() != link.size()) return;
   const Triangles triangles = random_triangles(static_cast<std::uint32_t>(link.size()), random);
@@ -106,9 +106,9 @@ void refill(TriangleMesh& mesh, Vertex v, Random& random) {
     if (apex - from > 1 && mesh.find(link[from], link[apex]) != kNoHalfEdge) return;
     if (to - apex > 1 && mesh.find(link[apex], link[to]) != kNoHalfEdge) return;
   }
-  const HalfEdge last = sides.back();
-  sides.pop_back();
-  const HalfEdge base = mesh.refill(sides, triangles);
+  const HalfEdge last = border.back();
+  border.pop_back();
+  const HalfEdge base = mesh.refill(border, triangles);
   EXPECT_EQ(mesh.origin(base), link.back());
   EXPECT_EQ(mesh.target(base), link.front());
   mesh.close(base, last);
@@ -192,10 +192,10 @@ TEST(Undo, TouchedFacesAndVerticesAreThoseThatChanged) {
       const bool was_live = before.edges.contains(h);
       const bool is_live = after.edges.contains(h);
       bool has_changed = was_live != is_live;
-      for (const HalfEdge side : {h, mesh::next(h), mesh::previous(h)}) {
+      for (const HalfEdge half : {h, mesh::next(h), mesh::previous(h)}) {
         if (!was_live || !is_live) continue;
-        const EdgeState& old_state = before.edges.at(side);
-        const EdgeState& new_state = after.edges.at(side);
+        const EdgeState& old_state = before.edges.at(half);
+        const EdgeState& new_state = after.edges.at(half);
         has_changed = has_changed || old_state.origin != new_state.origin || old_state.label != new_state.label;
       }
       ASSERT_TRUE(!has_changed || last_touch.contains(f)) << "face " << i << " changed untold, seed " << seed;

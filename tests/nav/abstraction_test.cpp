@@ -113,18 +113,18 @@ class Expected {
   }
 
   [[nodiscard]] Fault component_fault(const nav::Components& components) const {
-    std::map<std::uint32_t, nav::Components::Id> label_of;
+    std::map<std::uint32_t, nav::Components::Id> id_of;
     std::map<nav::Components::Id, std::uint32_t> size_of;
     for (const std::uint32_t f : faces_) {
-      const auto label = components.component_of(Face{f});
-      const auto [at, is_new] = label_of.emplace(set_of(f), label);
-      if (is_new && size_of.contains(label)) return "two components have one label";
-      if (at->second != label) return "a component has two labels";
-      ++size_of[label];
+      const auto id = components.component_of(Face{f});
+      const auto [at, is_new] = id_of.emplace(set_of(f), id);
+      if (is_new && size_of.contains(id)) return "two components have one id";
+      if (at->second != id) return "a component has two ids";
+      ++size_of[id];
     }
     if (components.count() != size_of.size()) return "components are not counted right";
-    for (const auto& [label, size] : size_of) {
-      if (components.size(label) != size) return "a component has another size";
+    for (const auto& [id, size] : size_of) {
+      if (components.size(id) != size) return "a component has another size";
     }
     return std::nullopt;
   }

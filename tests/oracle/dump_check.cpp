@@ -112,18 +112,18 @@ std::vector<Edge> edges_of(const std::vector<Triangle>& triangles) {
 
 Fault check_empty_circle(const Edge& right, const Edge& left, const Arrangement& arrangement) {
   const auto& v = arrangement.vertices;
-  const int side = in_circle(v[left.from], v[left.to], v[left.apex], v[right.apex]);
+  const int sign = in_circle(v[left.from], v[left.to], v[left.apex], v[right.apex]);
   const std::string name = "edge " + in_quotes(words({left.from, left.to}));
   const std::string apexes = in_quotes(words({left.apex, right.apex}));
-  if (side > 0) return name + " fails the empty-circle test with " + apexes;
-  if (side == 0 && std::min(left.apex, right.apex) < left.from) return name + " breaks the tie rule with " + apexes;
+  if (sign > 0) return name + " fails the empty-circle test with " + apexes;
+  if (sign == 0 && std::min(left.apex, right.apex) < left.from) return name + " breaks the tie rule with " + apexes;
   return std::nullopt;
 }
 
 // Every triangle is counter-clockwise. Requires for the argument: apart from the pieces of the domain's sides, each
 // edge occurs twice, once in each direction. Then in the sum of cross products these pairs cancel, so the triangles'
-// signed areas, and their turns around any point, add up to those of the domain's outline. So the triangles cover each
-// point of the domain once.
+// signed areas, and their winding numbers around any point, add up to those of the domain's border. So the triangles
+// cover each point of the domain once.
 Fault check_edges(const std::vector<Edge>& edges, const Arrangement& arrangement) {
   auto constraint = arrangement.constraints.begin();
   const auto last_constraint = arrangement.constraints.end();
@@ -135,10 +135,10 @@ Fault check_edges(const std::vector<Edge>& edges, const Arrangement& arrangement
     const std::array<std::uint32_t, 2> key{edge.from, edge.to};
     if (constraint != last_constraint && std::array{constraint->from, constraint->to} < key) break;
     const bool constrained = constraint != last_constraint && std::array{constraint->from, constraint->to} == key;
-    const bool boundary = constrained && constraint->ids.front() == 0;
-    if (count != (boundary ? 1U : 2U)) {
-      return name + " is in " + std::to_string(count) + " triangles, " + (boundary ? "on" : "off") +
-             " the domain's boundary";
+    const bool on_border = constrained && constraint->ids.front() == 0;
+    if (count != (on_border ? 1U : 2U)) {
+      return name + " is in " + std::to_string(count) + " triangles, " + (on_border ? "on" : "off") +
+             " the domain's border";
     }
     if (count == 2 && edge.forward == edges[i + 1].forward)
       return name + " has two triangles on its left, or two on its right";
@@ -149,7 +149,7 @@ Fault check_edges(const std::vector<Edge>& edges, const Arrangement& arrangement
     i += count;
   }
   if (constraint == last_constraint) return std::nullopt;
-  return "the constrained edge " + in_quotes(words({constraint->from, constraint->to})) + " is no triangle's side";
+  return "the constrained edge " + in_quotes(words({constraint->from, constraint->to})) + " is no triangle's edge";
 }
 
 }  // namespace

@@ -18,24 +18,26 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// Returns, for the edge from each corner k of a triangle to the next corner, where the position lies: 1 inside, 0 on
 /// the edge's line, -1 outside.
-std::array<int, 3> sides_of(const Arrangement& arrangement, const Triangle& t, const ExactPosition& position) {
+std::array<int, 3> orientations_of(const Arrangement& arrangement, const Triangle& t, const ExactPosition& position) {
   const auto& v = arrangement.vertices;
-  std::array<int, 3> sides{};
-  for (std::size_t k = 0; k < 3; ++k) sides[k] = orientation(v[t[k]], v[t[(k + 1) % 3]], position);
-  return sides;
+  std::array<int, 3> orientations{};
+  for (std::size_t k = 0; k < 3; ++k) orientations[k] = orientation(v[t[k]], v[t[(k + 1) % 3]], position);
+  return orientations;
 }
 
-bool touches(const std::array<int, 3>& sides) { return sides[0] >= 0 && sides[1] >= 0 && sides[2] >= 0; }
+bool touches(const std::array<int, 3>& orientations) {
+  return orientations[0] >= 0 && orientations[1] >= 0 && orientations[2] >= 0;
+}
 
 OracleLocation location_of(const Arrangement& arrangement, const std::vector<Triangle>& triangles,
                            const ExactPosition& p) {
   for (const Triangle& t : triangles) {
-    const std::array<int, 3> sides = sides_of(arrangement, t, p);
-    if (!touches(sides)) continue;
+    const std::array<int, 3> orientations = orientations_of(arrangement, t, p);
+    if (!touches(orientations)) continue;
     std::vector<std::uint32_t> corners(t.begin(), t.end());
     for (std::size_t k = 0; k < 3; ++k) {
       // A position on an edge is not at the opposite corner.
-      if (sides[k] == 0) std::erase(corners, t[(k + 2) % 3]);
+      if (orientations[k] == 0) std::erase(corners, t[(k + 2) % 3]);
     }
     if (corners.size() == 2) std::sort(corners.begin(), corners.end());
     OracleLocation location{static_cast<OracleLocation::Kind>(corners.size() - 1), {}};
@@ -103,12 +105,12 @@ bool Oracle::connected(std::string_view text, OraclePoint from, OraclePoint to) 
     if (is_free(impl_->solids, arrangement, dump->triangles[i])) open.push_back(i);
   };
   for (std::size_t i = 0; i < dump->triangles.size(); ++i) {
-    if (touches(sides_of(arrangement, dump->triangles[i], start))) enter(i);
+    if (touches(orientations_of(arrangement, dump->triangles[i], start))) enter(i);
   }
   while (!open.empty()) {
     const std::size_t i = open.back();
     open.pop_back();
-    if (touches(sides_of(arrangement, dump->triangles[i], goal))) return true;
+    if (touches(orientations_of(arrangement, dump->triangles[i], goal))) return true;
     for (const int neighbour : neighbours[i]) {
       if (neighbour >= 0) enter(static_cast<std::size_t>(neighbour));
     }

@@ -103,7 +103,7 @@ class Oracle {
   [[nodiscard]] bool strictly_inside(OraclePoint point) const;
 
   /// Returns the first fault of a point agent's path, or nothing if the agent can walk it. No piece may pass through a
-  /// wall or the inside of a solid. The path may not pass a point where walls meet from one wedge between them to
+  /// wall or the inside of a polygon. The path may not pass a point where walls meet from one wedge between them to
   /// another. It may touch walls and run along them. The check is exact: a corner between start and goal that is the
   /// nearest double of a crossing which is not itself a pair of doubles stands for that crossing.
   [[nodiscard]] std::optional<std::string> check_path(const std::vector<OraclePoint>& points) const;

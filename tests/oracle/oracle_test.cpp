@@ -180,7 +180,7 @@ TEST(OracleDump, RefusesHolesAndOverlaps) {
   };
   // A triangle is missing: its inner edges belong to one triangle only, off the boundary.
   EXPECT_THAT(fault("triangles 5\n0 3 1\n0 4 3\n1 3 2\n2 3 5\n3 4 5\n", "triangles 4\n0 3 1\n0 4 3\n1 3 2\n3 4 5\n"),
-              HasSubstr("is in 1 triangles, off the domain's boundary"));
+              HasSubstr("is in 1 triangles, off the domain's border"));
   // A triangle that overlaps others.
   EXPECT_THAT(fault("triangles 5\n0 3 1\n", "triangles 6\n0 3 1\n0 3 2\n"), HasSubstr("is in"));
   // A corner of the domain that belongs to no triangle.
@@ -195,7 +195,7 @@ TEST(OracleDump, RefusesAConstrainedEdgeThatIsNoSide) {
                                  "constraints 4\n0 1 0\n0 2 0\n", "constraints 5\n0 1 0\n0 2 0\n1 2 7\n");
   EXPECT_EQ(fault_of(scene, right), "no fault");
   EXPECT_THAT(fault_of(scene, with(right, "0 2 1\n1 2 3\n", "0 2 3\n0 3 1\n")),
-              HasSubstr("'1 2' is no triangle's side"));
+              HasSubstr("'1 2' is no triangle's edge"));
 }
 
 TEST(OracleDump, RefusesTheWrongDiagonal) {

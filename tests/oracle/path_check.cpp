@@ -43,8 +43,8 @@ class PathCheck {
   PathCheck(const Arrangement& arrangement, const std::vector<Solid>& solids, const Solid& domain)
       : arrangement_(arrangement), solids_(solids), domain_(domain) {}
 
-  /// Returns the state at the end of a straight piece. If the agent cannot walk the piece, the state has no side and
-  /// `fault` says why.
+  /// Returns the state at the end of a straight piece. If the agent cannot walk the piece, the state is neither left
+  /// nor right, and `fault` says why.
   State advance(State state, const ExactPosition& to, std::string& fault) const {
     if (compare_xy(*state.at, to) == 0) return state;
     for (const Wall& wall : arrangement_.walls) {
@@ -62,7 +62,7 @@ class PathCheck {
       }
       state.may_be = along(state, *next, walls);
       if (state.may_be.none()) {
-        fault = "runs through the inside of a solid after " + name_of(arrangement_.grid.nearest(*state.at));
+        fault = "runs through the inside of a polygon after " + name_of(arrangement_.grid.nearest(*state.at));
         return state;
       }
       state = {state.at, next, state.may_be};
@@ -173,7 +173,7 @@ Fault Oracle::check_path(const std::vector<OraclePoint>& points) const {
     }
     exact.push_back(impl_->arrangement.grid.point(p));
   }
-  if (strictly_inside(points.front())) return "the path starts inside a solid";
+  if (strictly_inside(points.front())) return "the path starts inside a polygon";
   const PathCheck check(impl_->arrangement, impl_->solids, impl_->domain);
   std::vector<State> states{{nullptr, &exact.front(), {}}};
   for (std::size_t i = 1; i < points.size(); ++i) {

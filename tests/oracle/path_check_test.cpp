@@ -64,10 +64,10 @@ TEST(OraclePath, MayNotRunThroughASolid) {
   const OracleScene scene = square(8, {box(1, {2, 2}, {4, 4})});
   EXPECT_THAT(path_fault_of(scene, {{1, 3}, {5, 3}}), HasSubstr("wall of item 1"));
   EXPECT_THAT(path_fault_of(scene, {{1, 1}, {2, 2}, {4, 4}, {5, 5}}), HasSubstr("(2 2)"));
-  EXPECT_THAT(path_fault_of(scene, {{2, 3}, {4, 3}}), HasSubstr("inside of a solid after (2 3)"));
+  EXPECT_THAT(path_fault_of(scene, {{2, 3}, {4, 3}}), HasSubstr("inside of a polygon after (2 3)"));
   EXPECT_THAT(path_fault_of(scene, {{1, 3}, {3, 3}}), HasSubstr("wall of item 1"));
-  EXPECT_THAT(path_fault_of(scene, {{3, 3}, {5, 5}}), HasSubstr("starts inside a solid"));
-  EXPECT_THAT(path_fault_of(scene, {{3, 3}}), HasSubstr("starts inside a solid"));
+  EXPECT_THAT(path_fault_of(scene, {{3, 3}, {5, 5}}), HasSubstr("starts inside a polygon"));
+  EXPECT_THAT(path_fault_of(scene, {{3, 3}}), HasSubstr("starts inside a polygon"));
   EXPECT_EQ(path_fault_of(scene, {{1, 1}, {2, 2}, {2, 4}, {4, 4}, {5, 3}}), "no fault");
 }
 
@@ -85,13 +85,13 @@ TEST(OraclePath, MayNotPassADoubleCorner) {
 TEST(OraclePath, MaySlideBetweenASolidAndAWallOnlyWhereThereIsRoom) {
   // No path runs along the side that two boxes share. A path may run along the sides of a hole.
   const OracleScene boxes = square(8, {box(1, {2, 2}, {4, 4}), box(2, {4, 2}, {6, 4})});
-  EXPECT_THAT(path_fault_of(boxes, {{4, 2}, {4, 4}}), HasSubstr("inside of a solid after (4 2)"));
+  EXPECT_THAT(path_fault_of(boxes, {{4, 2}, {4, 4}}), HasSubstr("inside of a polygon after (4 2)"));
   EXPECT_THAT(path_fault_of(boxes, {{4, 1}, {4, 5}}), HasSubstr("where walls meet, (4 2)"));
   OracleItem ring = box(1, {1, 1}, {7, 7});
   ring.rings.push_back(box(1, {2, 2}, {6, 6}).rings.front());
   const OracleScene hole = square(8, {ring});
   EXPECT_EQ(path_fault_of(hole, {{2, 2}, {2, 6}, {6, 6}, {3, 3}}), "no fault");
-  EXPECT_THAT(path_fault_of(hole, {{2, 2}, {1, 1}}), HasSubstr("inside of a solid after (2 2)"));
+  EXPECT_THAT(path_fault_of(hole, {{2, 2}, {1, 1}}), HasSubstr("inside of a polygon after (2 2)"));
 }
 
 TEST(OraclePath, PointsAndZeroLengthItemsAreNoWalls) {

@@ -102,7 +102,7 @@ struct ShortestPaths::Impl {
     }
   }
 
-  /// Makes a node for every free wedge where a shortest path may start, end, bend or continue straight. If the vertex
+  /// Makes a node for every free wedge where a shortest path may start, end, turn or continue straight. If the vertex
   /// is not an end, the wedge must be at least half a turn wide.
   void collect_nodes() {
     for (std::uint32_t v = 0; v < hubs.size(); ++v) {

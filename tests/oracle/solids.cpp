@@ -34,27 +34,27 @@ int turn_of(const ExactPosition& p, const ExactPosition& q, bool across_x) {
 // position; it crosses the ray that starts just before.
 RingRelation relation_to_rings(const Solid& solid, const ExactPosition& position, bool across_x) {
   RingRelation relation;
-  int turns_ahead = 0;
-  int turns_here = 0;
+  int winding_ahead = 0;
+  int winding_here = 0;
   for (const auto& ring : solid.rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const ExactPosition& p = ring[i];
       const ExactPosition& q = ring[i + 1 < ring.size() ? i + 1 : 0];
       if (on_segment(p, q, position)) {
         relation.on_boundary = true;
-        turns_here += turn_of(p, q, across_x);
+        winding_here += turn_of(p, q, across_x);
         continue;
       }
       const bool p_beyond = across_x ? compare_y(p, position) > 0 : compare_x(p, position) > 0;
       const bool q_beyond = across_x ? compare_y(q, position) > 0 : compare_x(q, position) > 0;
       if (p_beyond == q_beyond) continue;
       const int turn = q_beyond ? orientation(p, q, position) : orientation(q, p, position);
-      if (across_x ? turn > 0 : turn < 0) turns_ahead += turn_of(p, q, across_x);
+      if (across_x ? turn > 0 : turn < 0) winding_ahead += turn_of(p, q, across_x);
     }
   }
-  const auto is_inside = [&](int turns) { return solid.is_nonzero ? turns != 0 : turns % 2 != 0; };
-  relation.inside_after = is_inside(turns_ahead);
-  relation.inside_before = is_inside(turns_ahead + turns_here);
+  const auto is_inside = [&](int winding) { return solid.is_nonzero ? winding != 0 : winding % 2 != 0; };
+  relation.inside_after = is_inside(winding_ahead);
+  relation.inside_before = is_inside(winding_ahead + winding_here);
   return relation;
 }
 

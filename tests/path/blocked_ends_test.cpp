@@ -104,7 +104,7 @@ TEST(BlockedEnds, GoWhereTheOtherEndCanBeReached) {
   ManyGoalsQuery many{.start = {5.5, 8}, .goals = goals};
   many.end_tolerance = kInfinity;
   const std::vector<Path> paths = world.find_paths_from(many).value();
-  EXPECT_EQ(paths[0].status, PathStatus::no_path) << "the start is moved once, to the nearest free place";
+  EXPECT_EQ(paths[0].status, PathStatus::no_path) << "the start is moved once, to the nearest free position";
   EXPECT_EQ(paths[1].status, PathStatus::found);
   EXPECT_EQ(paths[2].moved_start->to, (Point{6, 8}));
   EXPECT_EQ(paths[2].moved_goal->to, (Point{6, 8}));

@@ -81,7 +81,7 @@ void check_scene(const NamedScene& scene) {
   const WallMesh map(scene);
   for (const auto& [start, goal] : scene.queries) {
     for (const double radius : scene.radii) {
-      if (!connectivity.is_free(start, radius) || !connectivity.is_free(goal, radius)) continue;
+      if (!connectivity.fits(start, radius) || !connectivity.fits(goal, radius)) continue;
       SCOPED_TRACE(scene.name + ", " + to_string(start) + " to " + to_string(goal) + ", radius " +
                    std::to_string(radius));
       const bool is_connected = connectivity.connected(start, goal, radius);
@@ -105,7 +105,7 @@ void append_wall(NamedScene& scene, const Point& from, const Point& to) {
   }
 }
 
-// The start lies in a corridor of more than 60 faces, which is closed on the side of the goal. Without a choice, the
+// The start lies in a corridor of more than 60 faces, which is closed towards the goal. Without a choice, the
 // search follows the corridor away from the goal. It pauses there while nodes at the closed end have smaller bounds.
 TEST(DiscChannel, LeavesALongCorridorAwayFromTheGoal) {
   NamedScene scene;

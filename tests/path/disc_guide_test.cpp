@@ -62,7 +62,7 @@ std::vector<Touch> touches_of(const NamedScene& scene, const disc::Connectivity&
     const double angle = static_cast<double>(random.below(6283)) / 1000.0;
     const double reach = radius * (1.0 + 0x1p-20);
     const Point position{vertex.x + reach * std::cos(angle), vertex.y + reach * std::sin(angle)};
-    if (!scene.domain.contains(position) || !connectivity.is_free(position, radius)) continue;
+    if (!scene.domain.contains(position) || !connectivity.fits(position, radius)) continue;
     if (connectivity.connected(start, position, radius)) touches.push_back({vertex, position});
   }
   return touches;
@@ -78,7 +78,7 @@ mesh::Vertex vertex_at(const WallMesh& map, const Point& at) {
 /// Compares the distances of a guide with shortest paths of points among the walls and the closed bridges.
 void check_distances(const NamedScene& scene, const disc::Connectivity& connectivity, const WallMesh& map,
                      const Point& start, const Point& goal, double radius, Random& random) {
-  if (!connectivity.is_free(start, radius) || !connectivity.is_free(goal, radius)) return;
+  if (!connectivity.fits(start, radius) || !connectivity.fits(goal, radius)) return;
   const path::DiscMap disc_map(map.walls(), map.bridges(), radius, start);
   path::DiscEnds ends;
   ends.begin(disc_map, start, goal);

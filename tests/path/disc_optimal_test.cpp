@@ -98,7 +98,7 @@ bool has_almost_wide_gap(const disc::Connectivity& oracle, double radius) {
 // The rational oracle says exactly whether there is a path. The oracle for lengths has a small tolerance.
 void check_query(const disc::Walls& walls, const disc::Connectivity& oracle, Map& map, const Point& start,
                  const Point& goal, double radius) {
-  if (!oracle.is_free(start, radius) || !oracle.is_free(goal, radius)) return;
+  if (!oracle.fits(start, radius) || !oracle.fits(goal, radius)) return;
   const auto found = map.find(start, goal, radius);
   ASSERT_EQ(found.has_value(), oracle.connected(start, goal, radius));
   if (!found) return;
@@ -213,9 +213,9 @@ TEST(DiscPaths, TurnTowardsAGoalBehindTheEndOfAWall) {
                {1, -0.20000000000000001}, {-0.40000000000000002, -1.6000000000000001}, 0.050000000000000003));
 }
 
-// The disc touches the end of a wall at the start, so it can turn around this end to both sides at once. The search
-// once left out the second of these two turns.
-TEST(DiscPaths, TurnToBothSidesAtTheStart) {
+// The disc touches the end of a wall at the start, so it can turn around this end to the left and to the right at once.
+// The search once left out the second of these two turns.
+TEST(DiscPaths, TurnLeftAndRightAtTheStart) {
   check_shortest_paths(scene_of(
       "the start touches the end of a wall", {{0, 0}, {100, 100}},
       {{{85, 70}, {89, 70}}, {{80, 40}, {68, 52}}, {{80, 60}, {73, 68}}, {{73, 68}, {89, 60}}, {{89, 60}, {80, 60}}},
@@ -273,7 +273,7 @@ TEST(DiscPaths, AreFoundToGoalsOnEdges) {
       const Point goal = 0.5 * (map.mesh().position(mesh.origin(h)) + map.mesh().position(mesh.target(h)));
       for (const double radius : {scene.radii[0], scene.radii[1]}) {
         const Point& start = scene.queries[0].first;
-        if (!disc::is_free(walls, start, radius) || !disc::is_free(walls, goal, radius)) continue;
+        if (!disc::fits(walls, start, radius) || !disc::fits(walls, goal, radius)) continue;
         SCOPED_TRACE("scene " + std::to_string(i) + ", edge " + std::to_string(j));
         static_cast<void>(map.find(start, goal, radius));  // compares the search with a guide and without it
         if (testing::Test::HasFatalFailure()) return;
@@ -343,11 +343,11 @@ TEST_P(RandomWalls, HaveTheShortestPathsOfDiscs) {
 }
 
 // In the first two scenes, a search whose windows moved as bundles found no path. In the third scene, the guide found
-// no path: it took two sides of a closed bridge for one wedge. They are the scenes 105, 477 and 492 of the test above,
-// which usually checks fewer. The seeds are the states of its random numbers there.
+// no path: it took the faces left and right of a closed bridge for one wedge. They are the scenes 105, 477 and 492 of
+// the test above, which usually checks fewer. The seeds are the states of its random numbers there.
 TEST(DiscPaths, AreFoundInRareScenes) {
   for (const auto& [kind, seed] : {std::pair{disc::SceneKind::segments, 0x1d38e7b2e46c51c4U},
-                                   std::pair{disc::SceneKind::corridors, 0xfb3f8b268c081657U},
+                                   std::pair{disc::SceneKind::alleys, 0xfb3f8b268c081657U},
                                    std::pair{disc::SceneKind::lattice, 0x88992d25985fa981U}}) {
     Random random(seed);
     check_shortest_paths(disc::random_scene(random, kind));

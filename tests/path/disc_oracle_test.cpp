@@ -97,7 +97,7 @@ TEST(DiscBridges, DoNotEndAtCrossings) {
   EXPECT_EQ(found.size(), 4U) << "the disc from (0, 3) to (3, 0) meets walls; a disc can always leave this corner";
   EXPECT_TRUE(has_bridge(found, {3, 0}, {9, 0}));
   for (const Bridge& bridge : found) EXPECT_EQ(bridge.squared_length, 36);
-  // No bridge is in the room in the middle, and none is needed: a disc that is free there cannot leave.
+  // No bridge is in the room in the middle, and none is needed: a disc that fits there cannot leave.
   const Connectivity connectivity(walls);
   EXPECT_TRUE(connectivity.connected({6, 6}, {6.5, 5.5}, 2.5));
   EXPECT_FALSE(connectivity.connected({6, 6}, {6, 20}, 0.001));
@@ -114,24 +114,24 @@ TEST(DiscBridges, MayCross) {
   EXPECT_EQ(connectivity.widest({10, 1}, {10, 10})->squared_diameter, 36) << "the goal is where the diagonals cross";
   EXPECT_TRUE(connectivity.connected({3, 10}, {17, 10}, 4));
   EXPECT_FALSE(connectivity.connected({3, 10}, {17, 10}, above(4)));
-  EXPECT_TRUE(connectivity.is_free({10, 10}, 5)) << "all four ends are 5 away";
+  EXPECT_TRUE(connectivity.fits({10, 10}, 5)) << "all four ends are 5 away";
   EXPECT_TRUE(connectivity.connected({10, 10}, {10, 10}, 5));
-  EXPECT_FALSE(connectivity.is_free({10, 10}, above(5)));
+  EXPECT_FALSE(connectivity.fits({10, 10}, above(5)));
 }
 
 // Connectivity
 
 TEST(DiscConnectivity, FreePositionsAreExact) {
   const Walls walls = chain({{0, 0}, {4, 3}});
-  EXPECT_TRUE(is_free(walls, {-3, 4}, 5)) << "the nearest point is the end";
-  EXPECT_TRUE(is_free(walls, {-1, 5.5}, 5)) << "the nearest point is inside the wall";
-  EXPECT_FALSE(is_free(walls, {-1, 5.5}, above(5)));
-  EXPECT_FALSE(is_free(walls, {2, 1.5}, 1e-300));
-  EXPECT_TRUE(is_free(walls + chain({{9, 9}, {9, 9}}), {9, 9}, 1)) << "a wall of length zero";
-  EXPECT_TRUE(is_free({}, {9, 9}, 1));
+  EXPECT_TRUE(fits(walls, {-3, 4}, 5)) << "the nearest point is the end";
+  EXPECT_TRUE(fits(walls, {-1, 5.5}, 5)) << "the nearest point is inside the wall";
+  EXPECT_FALSE(fits(walls, {-1, 5.5}, above(5)));
+  EXPECT_FALSE(fits(walls, {2, 1.5}, 1e-300));
+  EXPECT_TRUE(fits(walls + chain({{9, 9}, {9, 9}}), {9, 9}, 1)) << "a wall of length zero";
+  EXPECT_TRUE(fits({}, {9, 9}, 1));
 }
 
-TEST(DiscConnectivity, DependsOnTheGapsOfALongCorridor) {
+TEST(DiscConnectivity, DependsOnTheGapsOfALongAlley) {
   const Walls walls =
       chain({{-10, 0}, {10, 0}}) + chain({{0, 0.12}, {0, 5}}) + chain({{9, 0.1}, {9, 5}}) + box({-10, -5}, {10, 5});
   const Connectivity connectivity(walls);
@@ -249,7 +249,7 @@ TEST(DiscPathCheck, FindsFaults) {
   EXPECT_NE(fault({}), "");
   EXPECT_NE(fault({good[0], good[1]}), "") << "ends before the goal";
   EXPECT_NE(fault({good[1], good[2]}), "") << "begins after the start";
-  EXPECT_NE(fault({good[0], good[2]}), "") << "a gap";
+  EXPECT_NE(fault({good[0], good[2]}), "") << "a missing piece";
   EXPECT_NE(fault({good[0], Piece::arc({0, 0}, 1, kPi, 2 * kPi), good[2]}), "") << "through the wall";
   EXPECT_NE(fault({good[0], Piece::line({-1, 0}, {1, 0}), good[2]}), "") << "touches the end";
   EXPECT_NE(fault({good[0], Piece::arc({0, -0.5}, std::sqrt(1.25), std::atan2(0.5, -1), std::atan2(0.5, 1)), good[2]}),
@@ -268,7 +268,7 @@ TEST(DiscPathCheck, FindsFaults) {
 /// not free.
 bool is_tie(const Connectivity& connectivity, Point start, Point goal, double r, double rounding) {
   for (const Point end : {start, goal}) {
-    if (connectivity.is_free(end, r * (1 - 1e-9)) != connectivity.is_free(end, r * (1 + 1e-9))) return true;
+    if (connectivity.fits(end, r * (1 - 1e-9)) != connectivity.fits(end, r * (1 + 1e-9))) return true;
   }
   return std::any_of(connectivity.bridges().begin(), connectivity.bridges().end(), [&](const Bridge& bridge) {
     const double length = std::sqrt(bridge.squared_length.convert_to<double>());
@@ -287,7 +287,7 @@ void expect_agreement(const NamedScene& scene) {
       SCOPED_TRACE(::testing::Message() << start.x << ' ' << start.y << " to " << goal.x << ' ' << goal.y
                                         << " for the radius " << r);
       const bool is_connected = connectivity.connected(start, goal, r);
-      if (connectivity.is_free(start, r) && connectivity.is_free(goal, r)) {
+      if (connectivity.fits(start, r) && connectivity.fits(goal, r)) {
         const Rational diameter = 2 * Rational(r);
         EXPECT_EQ(is_connected, widest && (!widest->is_limited || diameter * diameter <= widest->squared_diameter));
       }

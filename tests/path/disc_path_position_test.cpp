@@ -42,18 +42,18 @@ struct Bend {
   double turn = 0.0;
   double line = 0.0;  ///< the length of each line
 
-  [[nodiscard]] Real side() const { return turn > 0.0 ? 1.0L : -1.0L; }
+  [[nodiscard]] Real sign() const { return turn > 0.0 ? 1.0L : -1.0L; }
   [[nodiscard]] Real arc_length() const { return std::fabs(static_cast<Real>(turn)) * radius; }
   [[nodiscard]] Real length() const { return 2.0L * line + arc_length(); }
 
   [[nodiscard]] Vector heading(Real distance) const {
     const Real turned = std::clamp(distance - line, 0.0L, arc_length()) / radius;
-    const Real angle = start + side() * (turned + kPi / 2.0L);
+    const Real angle = start + sign() * (turned + kPi / 2.0L);
     return {std::cos(angle), std::sin(angle)};
   }
   [[nodiscard]] Vector at(Real distance) const {
     const Real turned = std::clamp(distance - line, 0.0L, arc_length()) / radius;
-    const Real angle = start + side() * turned;
+    const Real angle = start + sign() * turned;
     const Real ahead = distance < line ? distance - line : std::max(distance - line - arc_length(), 0.0L);
     const Vector along = heading(distance);
     return {centre.x + radius * std::cos(angle) + ahead * along.x,

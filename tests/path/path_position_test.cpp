@@ -113,7 +113,7 @@ TEST(PathPosition, AtADistanceThatIsNoNumberIsTheStart) {
   expect_position(kCorner.at(nan), {0, 0}, {1, 0}, 0, 0);
 }
 
-// The wall has no thickness and reaches from boundary to boundary. No path leads across it.
+// The wall has no thickness and reaches from border to border. No path leads across it.
 TEST(PathPosition, DoesNotGetBeyondAThinWall) {
   World world = World::create({{0, 0}, {64, 64}}).value();
   world.insert_polyline(std::vector<Point>{{20, 0}, {23, 7}, {29, 8}, {64, 8}}).value();

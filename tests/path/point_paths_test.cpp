@@ -69,11 +69,11 @@ TEST_P(PointPaths, StraightFromWallToWall) {
   };
   expect_straight({3, 5}, {7, 5});   // from side to side
   expect_straight({3, 6}, {7, 4});   // from end to end
-  expect_straight({3, 6}, {7, 10});  // from an end to the boundary
+  expect_straight({3, 6}, {7, 10});  // from an end to the border
   expect_straight({3, 2}, {3, 6});   // along a wall
   expect_straight({8, 1.5}, {3, 6});
   expect_straight({8, 2}, {9, 2});
-  // A point behind a wall or behind the inside of a solid is not near.
+  // A point behind a wall or behind the inside of a polygon is not near.
   EXPECT_EQ(path_of(world, {1, 5}, {3, 5}).length, 2.0) << "a path may end on the wall, and cross no wall for this";
   EXPECT_DOUBLE_EQ(path_of(world, {2, 5}, {4, 5}).length, 2 * std::numbers::sqrt2);
   EXPECT_DOUBLE_EQ(path_of(world, {8, 1}, {9, 2}).length, 2.0);
@@ -94,7 +94,7 @@ TEST_P(PointPaths, AroundTheNearerSideOfASolid) {
   EXPECT_DOUBLE_EQ(path.length, 2 + 4 * std::numbers::sqrt2);
 }
 
-// Around a wedge whose tip touches the boundary. A path can reach the tip from its left and from its right, and all
+// Around a triangle whose tip touches the border. A path can reach the tip from its left and from its right, and all
 // faces there belong to dead ends. The item that was inserted and removed may have changed which face is the root.
 TEST_P(PointPaths, TakesTheShorterWayToATipThatDividesTheGround) {
   const double length = 2 * std::numbers::sqrt2 + std::sqrt(45.0);
@@ -138,7 +138,7 @@ TEST_P(PointPaths, EndsInsideSolidsAreBlockedOnTheirSidesFree) {
   const Path along = path_of(world, {4, 4}, {6, 4});
   EXPECT_EQ(along.status, PathStatus::found);
   EXPECT_DOUBLE_EQ(along.length, 2.0);
-  // From one side of the solid to the opposite side: around it, not through it.
+  // From one side of the polygon to the opposite side: around it, not through it.
   const Path around = path_of(world, {4, 5}, {6, 5});
   EXPECT_EQ(around.status, PathStatus::found);
   EXPECT_DOUBLE_EQ(around.length, 4.0);
@@ -155,7 +155,7 @@ TEST_P(PointPaths, HolesAreRoomsOfTheirOwn) {
 
 TEST_P(PointPaths, NoPathAlongASideThatTwoSolidsShare) {
   const World world = world_of(kTen, {rectangle(2, 2, 5, 8), rectangle(5, 2, 8, 8)});
-  // The point is strictly inside neither solid, but one solid lies left of it, and the other one right of it.
+  // The point is strictly inside neither polygon, but one polygon lies left of it, and the other one right of it.
   EXPECT_EQ(path_of(world, {5, 5}, {1, 1}).status, PathStatus::no_path);
   EXPECT_EQ(path_of(world, {5, 5}, {5, 5}).status, PathStatus::found);
   EXPECT_EQ(path_of(world, {5, 2}, {5, 8}).points.size(), 4U) << "around one of the polygons";

@@ -24,19 +24,19 @@ using Windows = std::vector<SearchWindow>;
 constexpr std::size_t kInOneGo = std::numeric_limits<std::size_t>::max();
 constexpr double kRounding = 1e-9;
 
-/// A world of obstacles that do not meet: one in each cell of a grid, up to `cells` cells in a row.
-World scattered_world(std::uint64_t seed, int cells, const WorldOptions& options = {}) {
+/// A world of obstacles that do not meet: one in each square of a grid, up to `squares` squares in a row.
+World scattered_world(std::uint64_t seed, int squares, const WorldOptions& options = {}) {
   Random random(seed);
-  World world = World::create({{0, 0}, {10.0 * cells, 10.0 * cells}}, options).value();
+  World world = World::create({{0, 0}, {10.0 * squares, 10.0 * squares}}, options).value();
   const auto within = [&] { return 1.0 + static_cast<double>(random.below(65)) / 8.0; };
-  for (int i = 0; i < cells * cells; ++i) {
-    const Point cell{10.0 * (i % cells), 10.0 * (i / cells)};  // NOLINT(bugprone-integer-division): the row
-    const Point a = cell + Point{within(), within()};
-    const Point b = cell + Point{within(), within()};
+  for (int i = 0; i < squares * squares; ++i) {
+    const Point square{10.0 * (i % squares), 10.0 * (i / squares)};  // NOLINT(bugprone-integer-division): the row
+    const Point a = square + Point{within(), within()};
+    const Point b = square + Point{within(), within()};
     if (random.chance(2)) {
       world.insert_segment(a, b).value();
     } else {
-      world.insert_polygon({a, b, cell + Point{within(), within()}}).value();
+      world.insert_polygon({a, b, square + Point{within(), within()}}).value();
     }
   }
   return world;

@@ -106,8 +106,8 @@ class TautStrings : public testing::Test {
     std::set<mesh::Face> seen = {f};
     for (const std::size_t most = 1 + random.below(12); channel.exits.size() < most;) {
       std::vector<HalfEdge> passages;
-      for (std::uint32_t side = 0; side < 3; ++side) {
-        const HalfEdge h{3 * number(f) + side};
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const HalfEdge h{3 * number(f) + i};
         if (!mesh.is_fixed(h) && !seen.contains(mesh::face(mesh.twin(h)))) passages.push_back(h);
       }
       if (passages.empty()) break;

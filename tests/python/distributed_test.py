@@ -11,7 +11,7 @@ import waywright
 from waywright import Change, Shape, World
 
 distributed = pytest.importorskip("distributed")
-from waywright.distributed import DistributedWorld, _Worlds, State, Update, WorkerError, find_paths_in_worlds  # noqa: E402
+from waywright.distributed import DistributedWorld, _Worlds, State, Operation, WorkerError, find_paths_in_worlds  # noqa: E402
 
 
 @pytest.fixture(scope="module")
@@ -55,12 +55,12 @@ def test_the_answers_are_those_of_one_process(client):
     assert len(everywhere.find_paths([], [])) == 0
 
 
-def test_updates_travel_as_operations(client):
+def test_only_operations_travel(client):
     world = walls(2)
     starts, goals = queries(600)
     everywhere = DistributedWorld(client, world)
     before = everywhere.find_paths(starts, goals)
-    for step in range(70):  # more than UPDATES_PER_BASE
+    for step in range(70):  # more than OPERATIONS_PER_BASE
         wall = Shape.segment((step + 10, 5), (step + 10, 95))
         changes = [Change.insert(wall, 1000 + step), Change.remove(step + 1)]
         changes += [Change.remove(999 + step)] if step else []
@@ -164,21 +164,21 @@ def test_what_a_worker_keeps():
     """A worker goes on from the version that it has, and gives an old task its old world."""
     world = walls(5, 50)
     base, states = world.to_bytes(), [State("w", 0, world.items_hash)]
-    updates = []
+    operations = []
     for step in range(3):
         changes = [Change.remove(step + 1)]
         world.apply(changes)
         states.append(State("w", step + 1, world.items_hash))
-        updates.append(Update(changes, states[-1]))
+        operations.append(Operation(changes, states[-1]))
     worlds = _Worlds()
     with worlds.use(base, states[0], []) as first:
-        with worlds.use(base, states[0], updates[:2]) as second:
+        with worlds.use(base, states[0], operations[:2]) as second:
             assert (first.items_hash, second.items_hash) == (states[0].items_hash, states[2].items_hash)
-    with worlds.use(base, states[0], updates) as third:
+    with worlds.use(base, states[0], operations) as third:
         assert third.items_hash == world.items_hash and third is second
-    with worlds.use(base, states[0], updates[:1]) as old:
+    with worlds.use(base, states[0], operations[:1]) as old:
         assert old.items_hash == states[1].items_hash and old is not third
-    with worlds.use(base, states[0], updates) as again:
+    with worlds.use(base, states[0], operations) as again:
         assert again is third
     wrong = states[0]._replace(name="x", items_hash="0" * 32)
     with pytest.raises(WorkerError):

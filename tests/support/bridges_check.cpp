@@ -37,7 +37,9 @@ class WithBridges {
     operation.commit();
     clearance_operation.commit();
   }
-  [[nodiscard]] Fault bridges_fault() const { return clearance_.bridges().find_fault(clearance_.walls(mesh_)); }
+  [[nodiscard]] Fault bridges_fault() const {
+    return clearance_.bridges().find_fault(clearance_.triangulation_of_walls(mesh_));
+  }
   [[nodiscard]] Fault find_fault() const { return clearance_.find_fault(mesh_); }
   void shrink_to_fit() { clearance_.shrink_to_fit(mesh_); }
 

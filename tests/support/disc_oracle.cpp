@@ -412,7 +412,7 @@ Rational largest_at(const Walls& walls, const Point& start, const Point& goal) {
   return 4 * *least;
 }
 
-bool is_free(const Walls& walls, Point position, double r) {
+bool fits(const Walls& walls, Point position, double r) {
   const Rational least = square(Rational(r));
   return std::all_of(walls.segments.begin(), walls.segments.end(), [&](const auto& wall) {
     return wall.first == wall.second || squared_distance(position, wall.first, wall.second) >= least;
@@ -454,16 +454,16 @@ Connectivity& Connectivity::operator=(Connectivity&&) noexcept = default;
 
 const std::vector<Bridge>& Connectivity::bridges() const { return cache_->bridges; }
 
-bool Connectivity::is_free(Point position, double r) const { return disc::is_free(cache_->walls, position, r); }
+bool Connectivity::fits(Point position, double r) const { return disc::fits(cache_->walls, position, r); }
 
 bool Connectivity::connected(Point start, Point goal, double r) const {
-  if (!is_free(start, r) || !is_free(goal, r)) return false;
+  if (!fits(start, r) || !fits(goal, r)) return false;
   const Rational limit = 4 * square(Rational(r));
   Arrangement& arrangement = cache_->arrangement([&](const Bridge& bridge) { return bridge.squared_length < limit; });
   const GridPoint from = cache_->grid.point(start);
   const GridPoint to = cache_->grid.point(goal);
   if (!arrangement.edges_at(from).empty() || !arrangement.edges_at(to).empty()) {
-    throw std::logic_error("a free position lies on a wall or a blocking bridge");
+    throw std::logic_error("a position where the disc fits lies on a wall or a blocking bridge");
   }
   return arrangement.cell_of(from) == arrangement.cell_of(to);
 }

@@ -40,17 +40,17 @@ struct RationalPoint {
 /// Returns the squared diameter of the largest disc that fits at both positions. Requires: there is a wall.
 [[nodiscard]] Rational largest_at(const Walls& walls, const Point& start, const Point& goal);
 
-/// The segment from an end point of a wall to an end point of a wall, or to the foot of the perpendicular on a wall,
-/// strictly inside this wall. The open disc that has the segment as a diameter meets no wall, and the length is
-/// positive. Crossings of walls are not ends of bridges.
+/// The segment from an end of a wall to an end of a wall, or to the foot of the perpendicular on a wall, strictly
+/// inside this wall. The open disc that has the segment as a diameter meets no wall, and the length is positive.
+/// Crossings of walls are not ends of bridges.
 ///
-/// A bridge blocks the radius r if its squared length is less than 4 r^2. Theorem: two free positions are connected for
-/// r if and only if the walls and the blocking bridges do not separate them. Reason: a bridge is a path of steepest
-/// ascent of the clearance, up to its middle. So no such path crosses a bridge, and a cell of the walls and blocking
-/// bridges has no saddle of the clearance below r.
+/// A bridge blocks the radius r if its squared length is less than 4 r^2. Theorem: two positions where the disc fits
+/// are connected for r if and only if the walls and the blocking bridges do not separate them. Reason: a bridge is a
+/// path of steepest ascent of the clearance, up to its middle. So no such path crosses a bridge, and a cell of the
+/// walls and blocking bridges has no saddle of the clearance below r.
 struct Bridge {
-  RationalPoint from;        ///< an end point of a wall
-  RationalPoint to;          ///< an end point of a wall, or a foot
+  RationalPoint from;        ///< an end of a wall
+  RationalPoint to;          ///< an end of a wall, or a foot
   Rational squared_length;   ///< positive
   std::size_t from_end = 0;  ///< 2 i for the first point of wall i, 2 i + 1 for its second point
   bool is_foot = false;      ///< whether `to` is a foot
@@ -58,16 +58,16 @@ struct Bridge {
 };
 
 /// Returns all bridges, each segment once: if several wall ends lie at one position, the bridge names the first one. If
-/// an end point of a wall lies at a foot, the bridge is between two end points.
+/// an end of a wall lies at a foot, the bridge is between two ends.
 [[nodiscard]] std::vector<Bridge> bridges(const Walls& walls);
 
 /// Returns whether dist(position, wall) >= r for every wall.
-[[nodiscard]] bool is_free(const Walls& walls, Point position, double r);
+[[nodiscard]] bool fits(const Walls& walls, Point position, double r);
 
 /// The largest disc that can move between two positions.
 struct Widest {
-  /// Whether a bridge limits the disc. If not, walls and bridges do not separate the two positions: every disc that is
-  /// free at both positions can move between them.
+  /// Whether a bridge limits the disc. If not, walls and bridges do not separate the two positions: every disc that
+  /// fits at both positions can move between them.
   bool is_limited = false;
   /// The squared length of the narrowest bridge of the widest path, if is_limited. Discs of exactly this squared
   /// diameter still pass.
@@ -83,8 +83,8 @@ class Connectivity {
   Connectivity& operator=(Connectivity&&) noexcept;
 
   [[nodiscard]] const std::vector<Bridge>& bridges() const;
-  /// See is_free.
-  [[nodiscard]] bool is_free(Point position, double r) const;
+  /// See fits() above.
+  [[nodiscard]] bool fits(Point position, double r) const;
   /// Returns whether both positions are free and connected for the radius r: whether they lie in the same cell of the
   /// arrangement of all walls and all bridges that block r.
   [[nodiscard]] bool connected(Point start, Point goal, double r) const;
@@ -139,7 +139,7 @@ struct ShortestPath {
 inline constexpr double kShortestTolerance = 1e-12;
 
 /// Returns the shortest path from start to goal of the centre of a disc of radius r: brute force over the circles of
-/// radius r around all end points of walls, their common tangents, their tangents from start and goal, and their arcs.
+/// radius r around all ends of walls, their common tangents, their tangents from start and goal, and their arcs.
 /// Returns nothing if there is no path.
 [[nodiscard]] std::optional<ShortestPath> shortest_path(const Walls& walls, Point start, Point goal, double r);
 /// Returns the length of the shortest path.

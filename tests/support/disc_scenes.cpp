@@ -28,13 +28,13 @@ struct Trap {
   std::optional<std::pair<Point, Point>> gap;
 };
 
-/// Two walls across a corridor, whose ends are near the wall at the corridor's lower side.
-Trap two_bottlenecks(bool is_closed, bool is_wedge) {
+/// Two walls across an alley, whose ends are near the wall at the alley's lower side.
+Trap two_bottlenecks(bool is_closed, bool is_acute) {
   const double end = is_closed ? 10 : 12;
   const auto hanging = [&](double x, double y) {
-    return is_wedge ? Chain{{x - 0.5, 5}, {x, y}, {x + 0.5, 5}} : Chain{{x, y}, {x, 5}};
+    return is_acute ? Chain{{x - 0.5, 5}, {x, y}, {x + 0.5, 5}} : Chain{{x, y}, {x, 5}};
   };
-  return {std::string("bottlenecks") + (is_closed ? " in a closed corridor" : "") + (is_wedge ? " of wedges" : ""),
+  return {std::string("bottlenecks") + (is_closed ? " in a closed alley" : "") + (is_acute ? " of acute angles" : ""),
           {{-end, -5}, {end, 5}},
           {{{-10, 0}, {10, 0}}, hanging(0, 0.12), hanging(9, 0.1)},
           {{{-5, 2}, {4, 2}}, {{-5, 2}, {9.75, 0.5}}, {{4, 2}, {9.75, 0.5}}, {{4, 0.2}, {-5, -2}}},
@@ -43,8 +43,8 @@ Trap two_bottlenecks(bool is_closed, bool is_wedge) {
 }
 
 /// Many ends near one long wall, each a little nearer than the one before.
-Trap narrowing_corridor(Random& random) {
-  Trap trap{"narrowing corridor", {{0, 0}, {100, 10}}, {}, {}, {0.5, 0.75, 0.875, 1.0}, {}};
+Trap narrowing_alley(Random& random) {
+  Trap trap{"narrowing alley", {{0, 0}, {100, 10}}, {}, {}, {0.5, 0.75, 0.875, 1.0}, {}};
   for (int i = 0; i < 8; ++i) {
     const double x = 10.0 * i + 10 + static_cast<double>(random.below(5));
     trap.chains.push_back({{x, 2.125 - 0.125 * i}, {x, 10}});
@@ -98,7 +98,7 @@ Trap comb(Random& random) {
   return trap;
 }
 
-/// A square spiral whose corridor has the width 2.
+/// A square spiral whose alley has the width 2.
 Trap spiral() {
   const Chain chain{{0, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 2}, {18, 2}, {18, 18}, {2, 18},
                     {2, 4}, {16, 4}, {16, 16}, {4, 16}, {4, 6}, {14, 6}, {14, 14}, {6, 14}};
@@ -132,8 +132,8 @@ Trap touching_arcs() {
 }
 
 /// A start between two walls that meet at an acute angle: (2 t, t) is t away from both.
-Trap wedge() {
-  return {"start in a wedge",
+Trap acute_angle() {
+  return {"start in an acute angle",
           {{-5, -5}, {25, 25}},
           {{{10, 0}, {0, 0}, {6, 8}}, {{0, 0}, {-3, -4}}},
           {{{2, 1}, {20, 10}}, {{4, 2}, {2, 1}}, {{3, 1.5}, {-3, 5}}},
@@ -178,9 +178,9 @@ Trap crossing_walls() {
           {}};
 }
 
-/// A corridor of the width 2 that turns, and one that is not parallel to an axis.
-Trap turning_corridor(double lean) {
-  return {"turning corridor",
+/// An alley of the width 2 that turns, and one that is not parallel to an axis.
+Trap turning_alley(double lean) {
+  return {"turning alley",
           {{0, 0}, {24, 24}},
           {{{2, 2}, {20, 2 + lean}, {20 - lean, 20}}, {{2, 4}, {18, 4 + lean}, {18 - lean, 20}}},
           {{{2, 3}, {19 - lean, 20}}, {{3, 3.0625}, {10, 12}}, {{1, 20}, {22, 3}}},
@@ -275,7 +275,7 @@ class SceneMaker {
   /// Returns a point that is often free for r.
   Point free_point(const Walls& walls, double r) {
     Point p = anywhere();
-    for (int i = 0; i < 30 && !is_free(walls, p, r); ++i) p = anywhere();
+    for (int i = 0; i < 30 && !fits(walls, p, r); ++i) p = anywhere();
     return p;
   }
 
@@ -287,7 +287,7 @@ class SceneMaker {
       const Point end = random_.chance(50) ? wall.first : wall.second;
       const double offset = random_.chance(50) ? r : -r;
       p = inside(random_.chance(50) ? Point{end.x + offset, end.y} : Point{end.x, end.y + offset});
-      if (is_free(walls, p, r)) break;
+      if (fits(walls, p, r)) break;
     }
     return p;
   }
@@ -312,8 +312,8 @@ class SceneMaker {
         return add_on_lattice(walls);
       case SceneKind::touching:
         return add_item(random_.chance(70) ? SceneKind::lattice : SceneKind::segments, walls);
-      case SceneKind::corridors:
-        return add_to_corridor(walls);
+      case SceneKind::alleys:
+        return add_to_alley(walls);
       case SceneKind::tiles:
         return add_tiles(walls);
       case SceneKind::mixture:
@@ -376,7 +376,7 @@ class SceneMaker {
     add_chain(walls, {p, kind == 0 ? q : kind == 1 ? Point{q.x, p.y} : Point{p.x, q.y}});
   }
 
-  void add_to_corridor(Walls& walls) {
+  void add_to_alley(Walls& walls) {
     const double y = between(0, size_);
     const double tilt = size_ * between(-0.03, 0.03);
     if (random_.chance(40)) {
@@ -407,7 +407,7 @@ Walls walls_of(const NamedScene& scene) {
 std::vector<NamedScene> trap_scenes(std::uint64_t seed) {
   Random random(seed);
   std::vector<Trap> traps{two_bottlenecks(false, false), two_bottlenecks(true, false), two_bottlenecks(false, true),
-                          two_bottlenecks(true, true),   narrowing_corridor(random),   wall_behind(1.875, false),
+                          two_bottlenecks(true, true),   narrowing_alley(random),      wall_behind(1.875, false),
                           wall_behind(2, false),         wall_behind(2.125, false),    wall_behind(1.75, true),
                           wall_behind(2, true)};
   traps.push_back(gap_of_ends("gap of two ends", {10, 9}, {10, 11}));
@@ -418,13 +418,13 @@ std::vector<NamedScene> trap_scenes(std::uint64_t seed) {
   traps.push_back(spiral());
   traps.push_back(fence(random));
   traps.push_back(touching_arcs());
-  traps.push_back(wedge());
+  traps.push_back(acute_angle());
   for (const double door : {2.0, 1.5, 0.25, 0.0}) traps.push_back(full_room(door));
   traps.push_back(rectangle_of_ends(false));
   traps.push_back(rectangle_of_ends(true));
   traps.push_back(crossing_walls());
-  traps.push_back(turning_corridor(0));
-  traps.push_back(turning_corridor(0.5));
+  traps.push_back(turning_alley(0));
+  traps.push_back(turning_alley(0.5));
   std::vector<NamedScene> scenes;
   for (const Trap& trap : traps) {
     for (const Coordinates coordinates :
@@ -449,8 +449,8 @@ std::string_view to_string(SceneKind kind) {
       return "polylines";
     case SceneKind::lattice:
       return "lattice";
-    case SceneKind::corridors:
-      return "corridors";
+    case SceneKind::alleys:
+      return "alleys";
     case SceneKind::tiles:
       return "tiles";
     case SceneKind::touching:

@@ -29,10 +29,10 @@ struct NamedScene {
 /// Returns the largest magnitude of a coordinate in the box.
 [[nodiscard]] double largest_coordinate(const Box& box);
 
-/// Returns scenes that are made to break implementations: bottlenecks between a vertex and a wall of a long corridor,
+/// Returns scenes that are made to break implementations: bottlenecks between a vertex and a wall of a long alley,
 /// gaps of exactly the diameter and of one unit in the last place more or less, combs, spirals, touching arcs, starts
-/// in wedges, rooms that a disc fills exactly. The coordinates are whole, decimal, huge (1e12) or tiny (1e-9). The seed
-/// varies the sizes; the same seed gives the same scenes on every platform.
+/// in acute angles, rooms that a disc fills exactly. The coordinates are whole, decimal, huge (1e12) or tiny (1e-9).
+/// The seed varies the sizes; the same seed gives the same scenes on every platform.
 [[nodiscard]] std::vector<NamedScene> trap_scenes(std::uint64_t seed);
 
 enum class SceneKind : std::uint8_t {
@@ -42,14 +42,14 @@ enum class SceneKind : std::uint8_t {
   polylines,      ///< chains of segments
   lattice,        ///< segments on a small lattice: many ties, T-junctions, overlaps, rectangles of four ends
   tiles,          ///< maps of tiles with steps of length 1; radii 0.25, 0.5, 1 and 1.5, ends at centres of tiles
-  corridors,      ///< long walls, most of them nearly parallel, with ends near them
+  alleys,         ///< long walls, most of them nearly parallel, with ends near them
   touching,       ///< segments, most of them on a lattice; at most starts and goals, the disc touches the end of a wall
   mixture,        ///< all of these
 };
 
 inline constexpr std::array kSceneKinds{SceneKind::boxes,     SceneKind::rotated_boxes, SceneKind::segments,
                                         SceneKind::polylines, SceneKind::lattice,       SceneKind::tiles,
-                                        SceneKind::corridors, SceneKind::touching,      SceneKind::mixture};
+                                        SceneKind::alleys,    SceneKind::touching,      SceneKind::mixture};
 
 [[nodiscard]] std::string_view to_string(SceneKind kind);
 

@@ -167,16 +167,16 @@ int depth_of(const Json& json) {
   return depth;
 }
 
-std::string read_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error(path.string() + " cannot be read");
+std::string read_file(const std::filesystem::path& name) {
+  std::ifstream file(name, std::ios::binary);
+  if (!file) throw std::runtime_error(name.string() + " cannot be read");
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// Returns the text of the first file that exists: the stem of `path` with one of the endings.
-std::string partner_of(const std::filesystem::path& path, const std::vector<std::string>& endings) {
+/// Returns the text of the first file that exists: the stem of `name` with one of the endings.
+std::string partner_of(const std::filesystem::path& name, const std::vector<std::string>& endings) {
   for (const std::string& ending : endings) {
-    const std::filesystem::path partner = path.parent_path() / (path.stem().string() + ending);
+    const std::filesystem::path partner = name.parent_path() / (name.stem().string() + ending);
     if (std::filesystem::exists(partner)) return read_file(partner);
   }
   return {};
@@ -236,18 +236,18 @@ Scene read_sumo(std::string_view text) {
   return builder.finish();
 }
 
-std::optional<Scene> read_any_scene(const std::filesystem::path& path) {
-  const std::string ending = path.extension().string();
-  const std::string stem = path.stem().string();
-  if (ending == ".poly" || ending == ".node") return read_scene(path.string()).value();
-  if (ending == ".xml") return read_sumo(read_file(path));
-  if (ending == ".json" || ending == ".geojson") return read_json(read_file(path));
-  if (ending == ".txt" && path.parent_path().filename() == "cdt") return read_cdt(read_file(path));
+std::optional<Scene> read_any_scene(const std::filesystem::path& name) {
+  const std::string ending = name.extension().string();
+  const std::string stem = name.stem().string();
+  if (ending == ".poly" || ending == ".node") return read_scene(name.string()).value();
+  if (ending == ".xml") return read_sumo(read_file(name));
+  if (ending == ".json" || ending == ".geojson") return read_json(read_file(name));
+  if (ending == ".txt" && name.parent_path().filename() == "cdt") return read_cdt(read_file(name));
   if (ending != ".dat" || stem.ends_with("_hole") || stem.ends_with("_holes") || stem.ends_with("_steiner")) {
     return std::nullopt;
   }
-  return read_poly2tri(read_file(path), partner_of(path, {"_hole.dat", "_holes.dat"}),
-                       partner_of(path, {"_steiner.dat"}));
+  return read_poly2tri(read_file(name), partner_of(name, {"_hole.dat", "_holes.dat"}),
+                       partner_of(name, {"_steiner.dat"}));
 }
 
 }  // namespace waywright::test

@@ -34,6 +34,6 @@ namespace waywright::test {
 /// Reads a file of one of these formats or of the library's own, chosen by its name and its contents; for a `.dat`,
 /// also the files of holes and Steiner points beside it. Returns null if the file is not a scene, or belongs to another
 /// file.
-[[nodiscard]] std::optional<Scene> read_any_scene(const std::filesystem::path& path);
+[[nodiscard]] std::optional<Scene> read_any_scene(const std::filesystem::path& name);
 
 }  // namespace waywright::test

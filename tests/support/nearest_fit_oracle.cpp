@@ -142,14 +142,14 @@ double distance_between(const Point& p, const Point& q) { return size({p.x - q.x
 }  // namespace
 
 std::optional<Point> nearest_fit(const Walls& walls, Point point, double r, const std::function<bool(Point)>& counts) {
-  if (is_free(walls, point, r) && counts(point)) return point;
+  if (fits(walls, point, r) && counts(point)) return point;
   const Candidates candidates(walls, point, r);
   std::optional<Point> best;
   double least = 0;
   std::map<std::pair<double, double>, bool> is_free_at;
   const auto is_point_free = [&](const Point& p) {
     const auto [entry, is_new] = is_free_at.try_emplace({p.x, p.y});
-    if (is_new) entry->second = is_in_range(p) && is_free(walls, p, r);
+    if (is_new) entry->second = is_in_range(p) && fits(walls, p, r);
     return entry->second;
   };
   for (const Vec& position : candidates.sorted()) {

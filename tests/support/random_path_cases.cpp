@@ -20,7 +20,7 @@ class PathSceneMaker {
   PathSceneMaker(Obstacles obstacles, Random& random) : obstacles_(obstacles), random_(random) {
     // Small enough that some items touch, and large enough that some do not.
     size_ = std::array<std::int64_t, 3>{16, 40, 1000}[random_.below(3)];
-    cell_ = std::max<std::int64_t>(size_ / random_.between(8, 16), 1);
+    tile_ = std::max<std::int64_t>(size_ / random_.between(8, 16), 1);
     reach_ = std::max<std::int64_t>(size_ / random_.between(3, 10), 2);
   }
 
@@ -43,13 +43,13 @@ class PathSceneMaker {
   Shape shape(Obstacles obstacles) {
     switch (obstacles) {
       case Obstacles::boxes:
-        return {ItemKind::polygon, {random_.chance(60) ? upright_box() : walk(random_.chance(50) ? 3 : 4)}};
+        return {ItemKind::polygon, {random_.chance(60) ? upright_box() : random_chain(random_.chance(50) ? 3 : 4)}};
       case Obstacles::walls:
-        return {ItemKind::segment, {walk(2)}};
+        return {ItemKind::segment, {random_chain(2)}};
       case Obstacles::polylines:
         return polyline();
       case Obstacles::tiles:
-        return {ItemKind::polygon, {random_.chance(15) ? pinched_cells() : run_of_cells()}};
+        return {ItemKind::polygon, {random_.chance(15) ? pinched_tiles() : run_of_tiles()}};
       case Obstacles::mixture:
       case Obstacles::rounds:
         break;
@@ -65,7 +65,7 @@ class PathSceneMaker {
     return {x, y};
   }
 
-  Ring walk(std::size_t count) {
+  Ring random_chain(std::size_t count) {
     std::int64_t x = random_.between(0, size_);
     std::int64_t y = random_.between(0, size_);
     Ring ring{point(x, y)};
@@ -114,29 +114,29 @@ class PathSceneMaker {
   }
 
   Shape polyline() {
-    Ring ring = walk(3 + random_.below(6));
+    Ring ring = random_chain(3 + random_.below(6));
     if (random_.chance(15)) ring.push_back(ring.front());
     return {ItemKind::polyline, {std::move(ring)}};
   }
 
-  Ring run_of_cells() {
-    const std::int64_t x = random_.between(0, size_ / cell_ - 1) * cell_;
-    const std::int64_t y = random_.between(0, size_ / cell_ - 1) * cell_;
-    const std::int64_t length = random_.between(1, 4) * cell_;
+  Ring run_of_tiles() {
+    const std::int64_t x = random_.between(0, size_ / tile_ - 1) * tile_;
+    const std::int64_t y = random_.between(0, size_ / tile_ - 1) * tile_;
+    const std::int64_t length = random_.between(1, 4) * tile_;
     const bool across = random_.chance(50);
-    const std::int64_t far_x = inside(across ? x + length : x + cell_);
-    const std::int64_t far_y = inside(across ? y + cell_ : y + length);
+    const std::int64_t far_x = inside(across ? x + length : x + tile_);
+    const std::int64_t far_y = inside(across ? y + tile_ : y + length);
     return {point(x, y), point(far_x, y), point(far_x, far_y), point(x, far_y)};
   }
 
   /// Returns two tiles that touch diagonally as one ring, which visits their common corner twice. Half of the time the
   /// ring crosses itself there.
-  Ring pinched_cells() {
-    const std::int64_t x = random_.between(1, size_ / cell_ - 1) * cell_;
-    const std::int64_t y = random_.between(1, size_ / cell_ - 1) * cell_;
+  Ring pinched_tiles() {
+    const std::int64_t x = random_.between(1, size_ / tile_ - 1) * tile_;
+    const std::int64_t y = random_.between(1, size_ / tile_ - 1) * tile_;
     const Point middle = point(x, y);
-    const Ring low{middle, point(x - cell_, y), point(x - cell_, y - cell_), point(x, y - cell_)};
-    Ring ring{middle, point(x + cell_, y), point(x + cell_, y + cell_), point(x, y + cell_)};
+    const Ring low{middle, point(x - tile_, y), point(x - tile_, y - tile_), point(x, y - tile_)};
+    Ring ring{middle, point(x + tile_, y), point(x + tile_, y + tile_), point(x, y + tile_)};
     if (random_.chance(50)) std::reverse(ring.begin() + 1, ring.end());
     ring.insert(ring.end(), low.begin(), low.end());
     return ring;
@@ -145,7 +145,7 @@ class PathSceneMaker {
   Obstacles obstacles_;
   Random& random_;
   std::int64_t size_ = 0;
-  std::int64_t cell_ = 0;
+  std::int64_t tile_ = 0;
   std::int64_t reach_ = 0;
 };
 

@@ -40,7 +40,7 @@ GridRange grid_range(Flavour flavour) {
 }
 
 /// Returns the nearest coordinate that a world accepts.
-double legal(double value) {
+double nearest_in_range(double value) {
   if (std::fabs(value) < kSmallest) return 0.0;
   return std::clamp(value, -kLargest, kLargest);
 }
@@ -87,7 +87,7 @@ class SceneMaker {
       return static_cast<double>(random_.between(range.low, range.high)) * range.unit;
     }
     if (random_.chance(4)) return 0.0;
-    return legal(fine_coordinate(random_.between(middle_ - spread_, middle_ + spread_)));
+    return nearest_in_range(fine_coordinate(random_.between(middle_ - spread_, middle_ + spread_)));
   }
 
  private:
@@ -101,7 +101,8 @@ class SceneMaker {
   }
 
   Point inside(Point p) const {
-    return {legal(std::clamp(p.x, limits_.min.x, limits_.max.x)), legal(std::clamp(p.y, limits_.min.y, limits_.max.y))};
+    return {nearest_in_range(std::clamp(p.x, limits_.min.x, limits_.max.x)),
+            nearest_in_range(std::clamp(p.y, limits_.min.y, limits_.max.y))};
   }
 
   Point fresh_point() {
@@ -132,7 +133,7 @@ class SceneMaker {
     return p;
   }
 
-  Ring walk(std::size_t count) {
+  Ring random_chain(std::size_t count) {
     Ring ring{fresh_point()};
     while (ring.size() < count) {
       ring.push_back(random_.chance(5) ? ring[random_.below(ring.size())] : next_point(ring.back()));
@@ -151,13 +152,13 @@ class SceneMaker {
   Shape shape() {
     const std::size_t dice = random_.below(100);
     if (dice < 12) return {ItemKind::point, {{fresh_point()}}};
-    if (dice < 32) return {ItemKind::segment, {walk(2)}};
-    if (dice < 42) return {ItemKind::polyline, {walk(1 + random_.below(6))}};
+    if (dice < 32) return {ItemKind::segment, {random_chain(2)}};
+    if (dice < 42) return {ItemKind::polyline, {random_chain(1 + random_.below(6))}};
     if (dice < 60) return polygon();
     if (dice < 64) return degenerate();
     if (dice < 69) return on_boundary();
     if (dice < 74) return through_hub();
-    if (sides_.empty()) return {ItemKind::segment, {walk(2)}};
+    if (sides_.empty()) return {ItemKind::segment, {random_chain(2)}};
     if (dice < 80) return duplicate();
     if (dice < 88) return overlap();
     if (dice < 95) return touching();
@@ -165,10 +166,10 @@ class SceneMaker {
   }
 
   Shape polygon() {
-    Shape result{ItemKind::polygon, {random_.chance(30) ? rectangle() : walk(3 + random_.below(5))}};
+    Shape result{ItemKind::polygon, {random_.chance(30) ? rectangle() : random_chain(3 + random_.below(5))}};
     while (random_.chance(25)) {
       if (random_.chance(50)) {
-        result.rings.push_back(random_.chance(50) ? rectangle() : walk(3 + random_.below(3)));
+        result.rings.push_back(random_.chance(50) ? rectangle() : random_chain(3 + random_.below(3)));
       } else {
         result.rings.push_back(shrunk(result.rings.front()));
       }
@@ -205,7 +206,7 @@ class SceneMaker {
         return {ItemKind::polyline, {{p, q, q, p, next_point(p), q}}};
       }
       default: {
-        Ring ring = walk(3);
+        Ring ring = random_chain(3);
         ring.insert(ring.end(), ring.begin(), ring.end());  // twice around: no inside
         return {ItemKind::polygon, {ring}};
       }
@@ -406,7 +407,7 @@ Point random_point(Flavour flavour, const Box& domain, Random& random) {
     const double own = maker.coordinate();
     if (own >= low && own <= high && !random.chance(20)) return own;
     const double share = std::ldexp(static_cast<double>(random.next() >> 11), -53);
-    return std::clamp(legal(low + (high - low) * share), low, high);
+    return std::clamp(nearest_in_range(low + (high - low) * share), low, high);
   };
   return {within(domain.min.x, domain.max.x), within(domain.min.y, domain.max.y)};
 }

@@ -30,7 +30,7 @@ inline constexpr std::array kFlavours{Flavour::lattice, Flavour::small, Flavour:
 
 /// Returns a scene that is the same on every platform for the same arguments. It contains points, segments, polylines
 /// and polygons of several rings, with duplicates, overlaps, bundles through one point, corners on sides,
-/// self-crossings, zero lengths and repeated points, on the domain's boundary and inside. Half of the polygons have the
+/// self-crossings, zero lengths and repeated points, on the domain's border and inside. Half of the polygons have the
 /// fill rule nonzero, see give_fill_rules.
 [[nodiscard]] Scene random_scene(Flavour flavour, std::uint64_t seed, std::size_t item_count);
 

@@ -28,7 +28,7 @@ bool is_degenerate(const std::vector<Point>& ring) {
   return ring.size() > 1 && std::all_of(ring.begin(), ring.end(), [&](const Point& p) { return p == ring.front(); });
 }
 
-bool on_boundary(Point p, const Box& domain) {
+bool on_border(Point p, const Box& domain) {
   return p.x == domain.min.x || p.x == domain.max.x || p.y == domain.min.y || p.y == domain.max.y;
 }
 
@@ -45,8 +45,8 @@ void count_items(const Scene& scene, Census& census) {
     for (const auto& ring : item.shape.rings) {
       if (is_degenerate(ring)) ++census["zero length"];
       if (ring.size() == 1 && item.shape.kind != ItemKind::point) ++census["rings of one point"];
-      census["points on the boundary"] += static_cast<std::size_t>(
-          std::count_if(ring.begin(), ring.end(), [&](const Point& p) { return on_boundary(p, scene.domain); }));
+      census["points on the border"] += static_cast<std::size_t>(
+          std::count_if(ring.begin(), ring.end(), [&](const Point& p) { return on_border(p, scene.domain); }));
     }
   }
 }
@@ -59,7 +59,7 @@ void count_meetings(const Scene& scene, Census& census) {
   std::map<std::uint32_t, std::size_t> degrees;
   for (const oracle::OracleConstraint& constraint : oracle.expected().constraints) {
     if (constraint.ids.size() > 1) ++census["overlaps"];
-    if (constraint.ids.size() > 1 && constraint.ids.front() == 0) ++census["sides on the boundary"];
+    if (constraint.ids.size() > 1 && constraint.ids.front() == 0) ++census["sides on the border"];
     ++degrees[constraint.from];
     ++degrees[constraint.to];
   }
@@ -84,8 +84,8 @@ class RandomScenes : public ::testing::TestWithParam<Flavour> {};
 TEST_P(RandomScenes, HaveAllKindsOfThings) {
   Census census = census_of(GetParam());
   for (const char* thing : {"point", "segment", "polyline", "polygon", "even-odd", "nonzero", "several rings",
-                            "sparse ids", "duplicates", "zero length", "rings of one point", "points on the boundary",
-                            "overlaps", "sides on the boundary", "ends on sides", "bundles"}) {
+                            "sparse ids", "duplicates", "zero length", "rings of one point", "points on the border",
+                            "overlaps", "sides on the border", "ends on sides", "bundles"}) {
     EXPECT_GE(census[thing], kRandomScenes / 2) << thing;
   }
   EXPECT_GE(census["crossings"], 10 * kRandomScenes);

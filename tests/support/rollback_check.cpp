@@ -57,10 +57,10 @@ class Game {
 
   /// Makes steps that come at about this time, in another order, so that many items and ids are real ones.
   void predict(std::size_t next) {
-    const std::size_t window = std::min(kTicks * kChanges, script_.steps.size() - next);
+    const std::size_t upcoming = std::min(kTicks * kChanges, script_.steps.size() - next);
     std::size_t made = 0;
     for (std::size_t i = 0; i < 8 * kChanges && made < kChanges; ++i) {
-      const Step& step = script_.steps[next + random_.below(window)];
+      const Step& step = script_.steps[next + random_.below(upcoming)];
       if (world_.apply(step.changes).ok()) made += step.changes.size();
     }
     report_.changes += made;

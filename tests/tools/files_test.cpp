@@ -55,11 +55,11 @@ struct Files {
 
 /// Returns other names of a file.
 std::vector<std::string> spellings(const std::string& file) {
-  const fs::path path(file);
+  const fs::path name(file);
   return {file,
-          (path.parent_path() / "." / path.filename()).string(),
-          (path.parent_path() / "sub" / ".." / path.filename()).string(),
-          fs::relative(path).string(),
+          (name.parent_path() / "." / name.filename()).string(),
+          (name.parent_path() / "sub" / ".." / name.filename()).string(),
+          fs::relative(name).string(),
           file + ".hard.svg",
           file + ".link.svg",
           file + ".far.svg"};

@@ -79,7 +79,7 @@ TEST_P(PathCommandBy, LeadsAroundTheNearerCorners) {
   expect_path(map, {"1", "12"}, {"9", "12"}, GetParam(), 12.0, {1, 12, 4, 16, 6, 16, 9, 12});
 }
 
-// The first wall touches the boundary, so every path leads around three of the ends.
+// The first wall touches the border, so every path leads around three of the ends.
 TEST_P(PathCommandBy, WindsAroundWallsThatCross) {
   const TemporaryFolder folder;
   const std::string map =

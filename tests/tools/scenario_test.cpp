@@ -89,7 +89,7 @@ TEST(ScenarioCommand, WritesALineForEachQuery) {
   EXPECT_EQ(lines[6].substr(0, 32), "6,1.5,0.5,0,1,1,start-blocked,,,");
 }
 
-// The passage below the column of two blocked tiles is one tile high, so a disc of radius 0.5 fits exactly.
+// The gap below the column of two blocked tiles is one tile high, so a disc of radius 0.5 fits exactly.
 TEST(ScenarioCommand, AsksForDiscs) {
   TemporaryFolder folder;
   const std::string map = folder.file("u.map", kScenarioMap);

@@ -51,9 +51,9 @@ Point centre_of(const Point& from, const Stroke& arc) {
   const Point to = arc.end();
   const double half = std::hypot(to.x - from.x, to.y - from.y) / 2.0;
   const double height = std::sqrt(std::max(radius * radius - half * half, 0.0));
-  const double side = arc.numbers.at(4) != 0.0 ? 1.0 : -1.0;
-  return {(from.x + to.x) / 2.0 - side * height * (to.y - from.y) / (2.0 * half),
-          (from.y + to.y) / 2.0 + side * height * (to.x - from.x) / (2.0 * half)};
+  const double sign = arc.numbers.at(4) != 0.0 ? 1.0 : -1.0;
+  return {(from.x + to.x) / 2.0 - sign * height * (to.y - from.y) / (2.0 * half),
+          (from.y + to.y) / 2.0 + sign * height * (to.x - from.x) / (2.0 * half)};
 }
 
 /// A box with a wall from its lower side up to (50, 60).

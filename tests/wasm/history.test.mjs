@@ -8,7 +8,7 @@ import {
 import { at, DOMAIN, makeWorld, refuses, usedBytes } from './support.mjs';
 
 const WALL = { kind: 'insert', shape: Shape.segment(at(0, 80), at(45, 80)), id: 9 };
-const GATE = { kind: 'insert', shape: Shape.segment(at(40, 70), at(40, 100)), id: 8 };
+const FENCE = { kind: 'insert', shape: Shape.segment(at(40, 70), at(40, 100)), id: 8 };
 
 test('going back to a tick', () => {
   const world = makeWorld();
@@ -31,11 +31,11 @@ test('trying changes out', () => {
   const before = [world.version, world.meshHash()];
   const query = { start: at(10, 10), goal: at(50, 10) };
   assert.equal(world.findPath(query).status, 'found');
-  assert.equal(world.attempt([GATE], (changed) => changed.findPath(query).status), 'no-path');
-  assert.ok(world.wouldDisconnect([GATE], [query.start, query.goal]));
+  assert.equal(world.attempt([FENCE], (changed) => changed.findPath(query).status), 'no-path');
+  assert.ok(world.wouldDisconnect([FENCE], [query.start, query.goal]));
   assert.ok(!world.wouldDisconnect([WALL], [10, 10, 50, 10]));
-  assert.throws(() => world.attempt([GATE], () => { throw new RangeError('mine'); }), /mine/);
-  refuses('invalid-argument', () => world.attempt([GATE], (changed) => changed.remove(1)));
+  assert.throws(() => world.attempt([FENCE], () => { throw new RangeError('mine'); }), /mine/);
+  refuses('invalid-argument', () => world.attempt([FENCE], (changed) => changed.remove(1)));
   refuses('unknown-id', () => world.attempt([{ kind: 'remove', id: 5 }], () => 1));
   assert.equal(world.attempt([], () => undefined), undefined);
   assert.deepEqual([world.version, world.meshHash()].slice(1), before.slice(1));

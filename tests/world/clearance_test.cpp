@@ -134,7 +134,7 @@ Ids wall_ids(const Ids& items) {
 void check_fit(const World& world, const NamedScene& scene, const disc::Connectivity& oracle, const Point& p) {
   for (const double radius : scene.radii) {
     const DiscFit fit = world.fit_disc(p, radius).value();
-    ASSERT_EQ(fit.fits, oracle.is_free(p, radius)) << to_string(p) << ", radius " << radius;
+    ASSERT_EQ(fit.fits, oracle.fits(p, radius)) << to_string(p) << ", radius " << radius;
     ASSERT_EQ(fit.fits, fit.items.empty());
     Ids expected;
     std::uint64_t id = 0;
@@ -199,7 +199,7 @@ void check_widest(const World& world, const NamedScene& scene, const disc::Conne
     ASSERT_GT(4 * square(std::nextafter(widest.radius, kInfinity)), largest);
   }
   for (const double radius : scene.radii) {
-    if (!oracle.is_free(start, radius) || !oracle.is_free(goal, radius)) continue;
+    if (!oracle.fits(start, radius) || !oracle.fits(goal, radius)) continue;
     ASSERT_EQ(radius <= widest.radius, oracle.connected(start, goal, radius)) << "radius " << radius;
   }
 }

@@ -65,7 +65,7 @@ void check_ta(const disc::Walls& walls, const World& world, PathQuery query, dou
 
 void check_query(const disc::Walls& walls, const disc::Connectivity& oracle, const World& world, const Point& start,
                  const Point& goal, double radius, Excess& excess) {
-  if (!oracle.is_free(start, radius) || !oracle.is_free(goal, radius)) return;
+  if (!oracle.fits(start, radius) || !oracle.fits(goal, radius)) return;
   PathQuery query{.start = start, .goal = goal, .radius = radius, .algorithm = PathAlgorithm::tra, .end_tolerance = 0};
   const Path path = world.find_path(query).value();
   ASSERT_EQ(path.status == PathStatus::found, oracle.connected(start, goal, radius));

@@ -18,7 +18,7 @@ constexpr ItemId kId{7};
 const std::vector<Point> kOuter = {{1, 1}, {9, 1}, {9, 9}, {1, 9}};
 const std::vector<Point> kInner = {{3, 3}, {7, 3}, {7, 7}, {3, 7}};
 const std::vector<Point> kInnerBack = {{3, 7}, {7, 7}, {7, 3}, {3, 3}};
-/// A star of five points. Its ring turns twice around the pentagon in its middle, near (10, 10).
+/// A pentagram. Its ring goes twice around the pentagon in its middle, near (10, 10).
 const std::vector<Point> kStar = {{10, 18}, {5, 3}, {18, 12}, {2, 12}, {15, 3}};
 
 World world_with(const Shape& shape, bool keep_abstraction = true) {
@@ -88,7 +88,7 @@ TEST(FillRule, ARingTwiceRoundIsInsideWhereTurnsCount) {
   expect_inside({ItemKind::polygon, {to_and_fro}, FillRule::nonzero}, {}, {{5, 5}, {12, 5}});
 }
 
-// Two squares with opposite directions: where they overlap, the turns cancel out.
+// Two squares with opposite directions: where they overlap, the winding numbers cancel out.
 TEST(FillRule, AFaceWithWindingNumberZeroIsFreeBetweenItsWalls) {
   const std::vector<Point> other = {{5, 5}, {5, 13}, {13, 13}, {13, 5}};
   const Shape shape{ItemKind::polygon, {kOuter, other}, FillRule::nonzero};
@@ -107,7 +107,7 @@ TEST(FillRule, AWallBetweenTwoInsidesIsASideAllTheSame) {
   EXPECT_EQ(world.find_path({{10, 12}, {19, 19}})->status, PathStatus::no_path);
 }
 
-// Changes inside a star must not change which cells between its sides are covered.
+// Changes inside a pentagram must not change which areas between its sides are covered.
 TEST(FillRule, IsKeptWhileOtherItemsChange) {
   for (const FillRule rule : {FillRule::even_odd, FillRule::nonzero}) {
     World world = world_with({ItemKind::polygon, {kStar, kOuter}, rule});

@@ -115,7 +115,7 @@ TEST(Growth, VerticesWithManyNeighboursOnLines) {
       world.remove(id).value();
       ASSERT_NO_FATAL_FAILURE(expect_right(world));
     }
-    // A corner on a wall, whose removal leaves a hole on its left and one on its right.
+    // A corner on a wall, whose removal leaves a cavity on its left and one on its right.
     static_cast<void>(world.insert_segment({-900, 0}, {900, 0}).value());
     for (const Point& hub : {Point{0, 0}, Point{0.5, 0}, Point{-33, 0}}) {
       const ItemId id = world.insert_point(hub).value();
@@ -148,7 +148,7 @@ TEST(Growth, VerticesWithManyNeighboursOnOneCircle) {
   }
 }
 
-TEST(Growth, NestedContours) {
+TEST(Growth, NestedPolygons) {
   constexpr std::size_t kCount = 24;
   std::vector<Shape> shapes;
   for (std::size_t i = 0; i < kCount; ++i) shapes.push_back(Shape::polygon(circle(900.0 - 30.0 * double(i), 40)));
@@ -245,15 +245,15 @@ TEST(Growth, PolygonsAroundOthers) {
   }
 }
 
-// Two horseshoes enclose a gap that no face outside them reaches.
-TEST(Growth, APolygonAroundAGapBetweenOthers) {
+// Two horseshoes enclose an area that no face outside them reaches.
+TEST(Growth, APolygonAroundAnAreaBetweenOthers) {
   const Shape left = Shape::polygon({{{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 8}, {6, 8}, {6, 10}, {0, 10}}});
   const Shape right = Shape::polygon({{{10, 0}, {5, 0}, {5, 2}, {8, 2}, {8, 8}, {5, 8}, {5, 10}, {10, 10}}});
   const Shape eight = Shape::polygon({{{20, 0}, {24, 4}, {20, 4}, {24, 0}, {28, 8}, {16, 8}}});
-  for (const bool has_item_in_gap : {false, true}) {
+  for (const bool has_item_in_area : {false, true}) {
     World world = World::create(kDomain).value();
     std::vector<Shape> shapes = {left, right, eight};
-    if (has_item_in_gap) shapes.push_back(square({5, 5}, 1));
+    if (has_item_in_area) shapes.push_back(square({5, 5}, 1));
     shapes.push_back(square({10, 5}, 40));
     shapes.push_back(square({10, 5}, 50));
     std::vector<std::size_t> removal(shapes.size());

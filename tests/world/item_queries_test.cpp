@@ -70,7 +70,7 @@ TEST(Ray, StopsAtTheFirstWallItTouches) {
   EXPECT_EQ(hit({1, 3}, {3, 1}), (RayHit{true, {2, 2}, ids({1}), {2, 2}}));
   EXPECT_EQ(hit({7, 1}, {9, 1}), (RayHit{true, {8, 1}, ids({5}), {8, 1}}));
   EXPECT_EQ(hit({2.75, 4.25}, {7, 0}), (RayHit{true, {3, 4}, ids({1, 2}), {3, 4}}));
-  // Along a side, from before it; from a wall; from inside a solid; to a wall and not further.
+  // Along a side, from before it; from a wall; from inside a polygon; to a wall and not further.
   EXPECT_EQ(hit({1, 2}, {9, 2}), (RayHit{true, {2, 2}, ids({1}), {2, 2}}));
   EXPECT_EQ(hit({5, 5}, {7, 5}), (RayHit{true, {5, 5}, ids({3}), {5, 5}}));
   EXPECT_EQ(hit({2.5, 2.5}, {2.5, 3.5}), RayHit{});

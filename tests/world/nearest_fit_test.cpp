@@ -55,7 +55,7 @@ class NearestChecker {
     if (fit.is_found) {
       ASSERT_TRUE(oracle_.connected(fit.at, goal, radius)) << to_string(fit.at);
     }
-    if (!disc::is_free(walls_, goal, radius)) {
+    if (!disc::fits(walls_, goal, radius)) {
       ASSERT_FALSE(fit.is_found);
       return;
     }
@@ -71,7 +71,7 @@ class NearestChecker {
       ASSERT_EQ(fit, NearestFit{});
       return;
     }
-    ASSERT_TRUE(disc::is_free(walls_, fit.at, radius)) << to_string(fit.at);
+    ASSERT_TRUE(disc::fits(walls_, fit.at, radius)) << to_string(fit.at);
     ASSERT_TRUE(world_.fit_disc(fit.at, radius).value().fits);
     ASSERT_EQ(fit.distance, distance(point, fit.at));
     const double least = distance(point, *expected);
@@ -81,14 +81,15 @@ class NearestChecker {
   }
 
   /// Returns whether the disc fits at none of the four points next to a point. Between two touching circles, a few
-  /// points of doubles lie among the free positions by chance. The library need not find the nearest of these.
+  /// points of doubles lie among the positions where the disc fits, by chance. The library need not
+  /// find the nearest of these.
   [[nodiscard]] bool is_alone(const Point& p, double radius) const {
     const auto next = [](double value, double towards) { return std::nextafter(value, towards); };
     const std::array<Point, 4> around{{{next(p.x, kInfinity), p.y},
                                        {next(p.x, -kInfinity), p.y},
                                        {p.x, next(p.y, kInfinity)},
                                        {p.x, next(p.y, -kInfinity)}}};
-    return std::none_of(around.begin(), around.end(), [&](const Point& q) { return disc::is_free(walls_, q, radius); });
+    return std::none_of(around.begin(), around.end(), [&](const Point& q) { return disc::fits(walls_, q, radius); });
   }
 
   const NamedScene& scene_;
@@ -169,7 +170,7 @@ TEST(NearestFit, LiesOutsidePolygons) {
         const auto expected = disc::nearest_fit(walls, point, radius, is_outside);
         ASSERT_EQ(fit.is_found, expected.has_value());
         if (!fit.is_found) continue;
-        ASSERT_TRUE(disc::is_free(walls, fit.at, radius) && is_outside(fit.at)) << to_string(fit.at);
+        ASSERT_TRUE(disc::fits(walls, fit.at, radius) && is_outside(fit.at)) << to_string(fit.at);
         ASSERT_LE(fit.distance, distance(point, *expected) * (1 + 1e-9) + 0x1p-44) << to_string(*expected);
       }
     }

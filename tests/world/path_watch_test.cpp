@@ -119,9 +119,9 @@ TEST(PathWatch, KnowsThatARemovalCanBlockAPathAtACrossing) {
   EXPECT_GT(blocked, 20U);
 }
 
-// A path runs along a wall, on its upper side, from a gap around which the agent could also pass on the lower side. It
-// ends beyond a corner of this wall, where only an agent on the upper side arrives.
-TEST(PathWatch, KnowsOnWhichSideOfAWallAPathRuns) {
+// A path runs along a wall, above it, from a gap around which the agent could also pass below the wall. It ends beyond
+// a corner of this wall, where only an agent above the wall arrives.
+TEST(PathWatch, KnowsWhetherAPathRunsAboveOrBelowAWall) {
   for (const bool is_reversed : {false, true}) {
     for (const bool is_above : {false, true}) {
       World world = world_of_hundred();

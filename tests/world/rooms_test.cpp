@@ -116,8 +116,8 @@ void play(std::size_t columns, std::size_t rows) {
   }
 }
 
-TEST(Rooms, OfACorridorAreConnectedAsTheirWallsSay) { play(16, 1); }
-TEST(Rooms, OfALongCorridorAreConnectedAsTheirWallsSay) { play(60, 1); }
+TEST(Rooms, OfAnAlleyAreConnectedAsTheirWallsSay) { play(16, 1); }
+TEST(Rooms, OfALongAlleyAreConnectedAsTheirWallsSay) { play(60, 1); }
 TEST(Rooms, OfAGridAreConnectedAsTheirWallsSay) { play(6, 6); }
 
 // The room between two new walls is the smallest of three pieces. When the library has found this piece, it must still

@@ -77,7 +77,7 @@ TEST(World, OverlapsShareTheirEdges) {
   EXPECT_TRUE(world.validate().ok);
 }
 
-TEST(World, SidesOnTheDomainBoundaryShareItsEdges) {
+TEST(World, SidesOnTheDomainBorderShareItsEdges) {
   World world = empty_world();
   ASSERT_TRUE(world.insert_polygon(std::vector<Point>{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {7}).ok());
   const std::set<std::string> expected = {"0,0-0,4: 0 7", "0,0-4,0: 0 7", "0,4-4,4: 0 7", "4,0-4,4: 0 7"};

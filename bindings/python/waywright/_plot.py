@@ -71,13 +71,13 @@ def plot_world(
     ax.set_xlim(x0, x1)
     ax.set_ylim(y0, y1)
     if mesh:
-        snapshot = self.snapshot()
-        ax.triplot(*snapshot.vertices.T, snapshot.triangles, color=MESH_COLOUR, linewidth=0.5, zorder=1)
+        copy = self.snapshot()
+        ax.triplot(*copy.vertices.T, copy.triangles, color=MESH_COLOUR, linewidth=0.5, zorder=1)
     items = self.items()
-    solids = [_filled(shape) for _, shape in items if shape.kind == "polygon"]
+    polygons = [_filled(shape) for _, shape in items if shape.kind == "polygon"]
     walls = [shape.points for _, shape in items if shape.kind in ("segment", "polyline")]
     points = [shape.points[0] for _, shape in items if shape.kind == "point"]
-    ax.add_collection(PathCollection(solids, facecolor=SOLID_COLOUR, edgecolor=WALL_COLOUR, zorder=2))
+    ax.add_collection(PathCollection(polygons, facecolor=SOLID_COLOUR, edgecolor=WALL_COLOUR, zorder=2))
     ax.add_collection(LineCollection(walls, color=WALL_COLOUR, zorder=2))
     if points:
         ax.scatter(*np.array(points).T, s=6, color=WALL_COLOUR, zorder=2)

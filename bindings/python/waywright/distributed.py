@@ -24,7 +24,7 @@ from waywright import PathBatch, WaywrightError, World, _core, _progress
 
 Progress = Callable[[int, int], object]
 
-UPDATES_PER_BASE = 64  # after so many operations, the next query sends the whole world again
+OPERATIONS_PER_BASE = 64  # after so many operations, the next query sends the whole world again
 CHUNKS_PER_THREAD = 8
 SMALLEST_CHUNK = 64
 WORLDS_PER_WORKER = 8
@@ -42,7 +42,7 @@ class State(NamedTuple):
     items_hash: str
 
 
-class Update(NamedTuple):
+class Operation(NamedTuple):
     """One operation: a list of changes, and the state after it."""
 
     changes: list
@@ -66,10 +66,10 @@ class _Worlds:
         self._kept: OrderedDict[str, _Kept] = OrderedDict()
 
     @contextmanager
-    def use(self, base: bytes, base_state: State, updates: Sequence[Update]):
-        """Gives the world after the updates. No other task changes the world until this task has used it."""
+    def use(self, base: bytes, base_state: State, operations: Sequence[Operation]):
+        """Gives the world after the operations. No other task changes the world until this task has used it."""
         with self._lock:
-            kept = self._at(base, base_state, updates)
+            kept = self._at(base, base_state, operations)
             kept.users += 1
         try:
             yield kept.world
@@ -77,8 +77,8 @@ class _Worlds:
             with self._lock:
                 kept.users -= 1
 
-    def _at(self, base: bytes, base_state: State, updates: Sequence[Update]) -> _Kept:
-        wanted = updates[-1].state if updates else base_state
+    def _at(self, base: bytes, base_state: State, operations: Sequence[Operation]) -> _Kept:
+        wanted = operations[-1].state if operations else base_state
         kept = self._kept.get(wanted.name)
         if kept is None or not base_state.version <= kept.state.version <= wanted.version:
             loaded = _checked(_Kept(World.from_bytes(base), base_state))
@@ -90,10 +90,10 @@ class _Worlds:
             self._keep(kept)
         if kept.state.name in self._kept:
             self._kept.move_to_end(kept.state.name)
-        for update in updates:
-            if update.state.version > kept.state.version:
-                kept.world.apply(update.changes)
-                kept.state = update.state
+        for operation in operations:
+            if operation.state.version > kept.state.version:
+                kept.world.apply(operation.changes)
+                kept.state = operation.state
                 _checked(kept)
         return kept
 
@@ -134,11 +134,11 @@ class _Refused:
 
 
 def _answer(
-    base: _Base, base_state: State, updates: list[Update], arrays: tuple, first: int, options: dict[str, Any]
+    base: _Base, base_state: State, operations: list[Operation], arrays: tuple, first: int, options: dict[str, Any]
 ) -> PathBatch | _Refused:
     """Answers the queries of one chunk, on a worker. ``first`` is the index of its first query in the batch."""
     starts, goals, radius = arrays
-    with _worlds.use(base.data, base_state, updates) as world:
+    with _worlds.use(base.data, base_state, operations) as world:
         try:
             return world.find_paths(starts, goals, radius, **options)
         except WaywrightError as error:
@@ -185,7 +185,7 @@ class DistributedWorld:
         changes = _core._changes(changes)
         ids = self._world.apply(changes)
         self._version += 1
-        self._updates.append(self._send(Update(changes, self._state()), f"update-{self._version}"))
+        self._operations.append(self._send(Operation(changes, self._state()), f"operation-{self._version}"))
         return ids
 
     def find_paths(
@@ -217,7 +217,7 @@ class DistributedWorld:
     def _rebase(self) -> None:
         self._base_state = self._state()
         self._base = self._send(_Base(self._world.to_bytes()), f"base-{self._version}")
-        self._updates: list[Future] = []
+        self._operations: list[Future] = []
 
     def _submit(
         self, starts: Any, goals: Any, radius: Any, chunk_size: int | None, options: dict[str, Any]
@@ -230,7 +230,7 @@ class DistributedWorld:
         if len(starts) != len(goals) or radius.ndim > 0 and radius.size not in (1, len(starts)):
             raise ValueError("starts, goals and radius must have the same length")
         radius = radius.reshape(()) if radius.size == 1 else radius
-        if len(self._updates) > UPDATES_PER_BASE:
+        if len(self._operations) > OPERATIONS_PER_BASE:
             self._rebase()
         size = chunk_size or self._chunk_size(len(starts))
         batch = uuid.uuid4().hex
@@ -239,7 +239,7 @@ class DistributedWorld:
                 _answer,
                 self._base,
                 self._base_state,
-                self._updates,
+                self._operations,
                 (starts[i : i + size], goals[i : i + size], radius if radius.ndim == 0 else radius[i : i + size]),
                 i,
                 options,

@@ -35,7 +35,7 @@ function paintPolygon(context: Context, camera: Camera, shape: Shape, theme: The
   traceShape(context, camera, shape);
   context.fill(shape.fill ?? 'evenodd');
   if (isTiny) return;
-  context.strokeStyle = theme['solid-edge'];
+  context.strokeStyle = theme['solid-outline'];
   context.lineWidth = 1;
   context.stroke();
 }

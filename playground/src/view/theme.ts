@@ -1,7 +1,7 @@
 // The colours of the picture. style.css has them as custom properties, for dark and light.
 
 const NAMES = [
-  'page', 'ground', 'mesh', 'solid', 'solid-edge', 'wall', 'point', 'text', 'accent', 'accent-soft', 'second', 'third',
+  'page', 'ground', 'mesh', 'solid', 'solid-outline', 'wall', 'point', 'text', 'accent', 'accent-soft', 'second', 'third',
   'start', 'failed', 'gap', 'level-1', 'level-2', 'level-3', 'seen', 'seen-edge', 'unit', 'touched',
 ] as const;
 export type Ink = (typeof NAMES)[number];

@@ -188,7 +188,7 @@ export class View {
     const rectangle = [Math.min(a.x, b.x), Math.min(a.y, b.y), Math.abs(a.x - b.x), Math.abs(a.y - b.y)] as const;
     context.fillStyle = theme.ground;
     context.fillRect(...rectangle);
-    context.strokeStyle = theme['solid-edge'];
+    context.strokeStyle = theme['solid-outline'];
     context.lineWidth = 1;
     context.strokeRect(...rectangle);
   }
