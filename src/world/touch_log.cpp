@@ -14,7 +14,7 @@ void TouchLog::note_mesh(const constraint::ExactTriangulation& triangulation) {
 }
 
 // A search that looks at a face reads that face and the faces that share a vertex with it. So each face that shares a
-// vertex with a touched face counts as touched, too.
+// vertex with a live touched face counts as touched, too.
 bool TouchLog::add_touched_faces(const constraint::ExactTriangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto add = [&](mesh::Face f) {

@@ -15,6 +15,7 @@ from check_portable import faults_of  # noqa: E402 (found by the line above)
 BAD = [
     ("src/mesh/mesh.hpp", "void fetch(int* p) { __builtin_prefetch(p); }"),
     ("src/mesh/mesh.hpp", "[[gnu::always_inline]] inline void f() {}"),
+    ("src/mesh/mesh.hpp", "[[nodiscard, gnu::noinline]] bool f();"),
     ("src/mesh/mesh.hpp", "int f() __attribute__((noinline));"),
     ("src/mesh/mesh.hpp", "unsigned __int128 product;"),
     ("src/mesh/mesh.hpp", "#if defined(_MSC_VER)"),
