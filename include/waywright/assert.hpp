@@ -29,9 +29,9 @@ using AssertionHandler = void (*)(const AssertionFailure& failure);
 /// });
 /// @endcode
 ///
-/// The library prints nothing else and writes no log. So this handler is all that a program needs to write messages of
-/// the library to its own log. Bad data is not a broken precondition: for bad data, a function returns a Result with an
-/// Error.
+/// The library prints no other message, and writes none to a file. So this handler is all that a program needs to write
+/// messages of the library to its own log. Bad data is not a broken precondition: for bad data, a function returns a
+/// Result with an Error.
 ///
 /// The library also checks preconditions in release builds, if the check costs no measurable time. Here are examples of
 /// broken preconditions: a program takes the value of a Result with an error; it uses an object that has been moved

@@ -24,7 +24,8 @@ struct BulkOptions {
   /// may run at the same time. A number above 256 counts as 256.
   std::size_t threads = 1;
   /// A function that the library calls on the calling thread from time to time, and at the end with `done` equal to
-  /// `total`. The unit of both numbers has no meaning. The function must not use the world.
+  /// `total`. Only the ratio of the two numbers has a meaning: what they count may differ in other versions. The
+  /// function must not use the world.
   std::function<void(std::size_t done, std::size_t total)> progress;
   /// The job system that provides the other threads. If it is null, the library starts threads.
   JobSystem* jobs = nullptr;

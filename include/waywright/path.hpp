@@ -73,7 +73,7 @@ struct PathQuery {
   PathBudget budget{};
   bool wants_channel = false;  ///< whether the answer contains Path::channel
   bool wants_time = false;     ///< whether the answer contains Path::time
-  /// The largest distance by which the search may move a blocked start or goal to the nearest free position. If a
+  /// The largest distance by which the search may move the start or the goal; two reasons to do so follow below. If a
   /// program computes a position on a path, a rounding error can put this position inside a polygon. The default,
   /// World::default_end_tolerance(), allows for these errors, also if the program keeps coordinates as `float`. If the
   /// value is 0, the search moves no end. The value must be 0 or more; infinity is allowed. If the domain is much

@@ -88,15 +88,13 @@ class WAYWRIGHT_API PathWatch {
   /// it.
   ///
   /// If the world no longer has the boxes of all operations since then (World::changes_since()), the watch checks all
-  /// paths.
-  /// Requires: `world` is the world for which the watch was made, this world after a move, or a snapshot of it
-  /// (WorldSnapshot).
-  /// Cost: a search in a tree for each box that the operations have changed; World::is_clear() for the pieces of paths
-  /// that come near to a box; the answer; and one step for each 64 paths of the watch. The watch calls
-  /// World::is_clear() for a whole path in these cases: a piece near a box runs along a wall, or has a point with the
-  /// rounded coordinates of a crossing; the path turns where a crossing may have vanished; the last check found the
-  /// path blocked; there are more than 8 boxes. Allocates nothing if earlier updates had answers of this size. If
-  /// memory runs out, `changes` is empty, and you can call update() again.
+  /// paths. Requires: `world` is the world for which the watch was made, this world after a move, or a snapshot of it
+  /// (WorldSnapshot). Cost: for each box of the operations since the last update (ChangedBox), a search in a tree; for
+  /// the pieces of paths that come near to a box, the cost of World::is_clear(); the answer; and one step for each 64
+  /// paths of the watch. The watch calls World::is_clear() for a whole path in these cases: a piece near a box runs
+  /// along a wall, or has a point with the rounded coordinates of a crossing; the path turns where a crossing may have
+  /// vanished; the last check found the path blocked; there are more than 8 boxes. Allocates nothing if earlier updates
+  /// had answers of this size. If memory runs out, `changes` is empty, and you can call update() again.
   void update(const World& world, PathChanges& changes);
 
  private:

@@ -215,7 +215,7 @@ class WAYWRIGHT_API World {
   /// Errors: the errors of apply(), and the errors that the question returns. Error::index is the index of the refused
   /// change in `changes`.
   /// Cost: as apply(), and the question. To take the changes back allocates nothing and costs less than apply().
-  /// Threads: the call is an operation, also while the question runs: no other thread may call any member.
+  /// Threads: no other thread may call any member of this world before the call returns.
   template <class Question>
   auto attempt(std::span<const Change> changes, Question&& question) -> detail::ResultOfAttempt<Question> {
     if (auto begun = begin_attempt(changes); !begun) return begun.error();
@@ -253,11 +253,11 @@ class WAYWRIGHT_API World {
   /// @{
 
   /// Returns an immutable world with the current state of this world. Other threads can query it while this world
-  /// changes. WorldSnapshot describes the copies of the world. If memory runs out, nothing changes.
+  /// changes. WorldSnapshot describes the replicas. If memory runs out, nothing changes.
   /// Requires: no question of attempt() is running on this world.
-  /// Cost: for each item that has changed since a free copy was last equal to this world, at most one removal and one
-  /// insertion, however often the item has changed. If no copy is free, or if more items have changed than 64 plus a
-  /// 32nd of all items: the cost of clone().
+  /// Cost: for each item that has changed since a replica without readers was last equal to this world, at most one
+  /// removal and one insertion, however often the item has changed. If readers hold all replicas, or if more items have
+  /// changed than 64 plus a 32nd of all items: the cost of clone().
   [[nodiscard]] WorldSnapshot publish();
 
   /// @}

@@ -24,29 +24,29 @@ inline constexpr char kEmptySnapshot[] =
 /// threads query it while one thread changes the world. The readers and this thread never wait for each other.
 ///
 /// @code{.cpp}
-/// WorldSnapshot snapshot = world.publish();  // give each reader a copy
+/// WorldSnapshot snapshot = world.publish();  // give each reader a handle of its own: copy `snapshot`
 /// world.remove(1).value();                   // waits for no reader, and no reader waits for it
 /// const bool is_there = snapshot->contains(1);  // == true
 /// const bool is_here = world.contains(1);       // == false
 /// snapshot.release();
 /// @endcode
 ///
-/// A snapshot is a handle. Copies of it share one immutable world, which you reach with `->` and `*`. All const members
-/// of World work, without a context or with one. They give the same answers as the world gave, also version(),
+/// A snapshot is a handle. Several handles may share one immutable world, which you reach with `->` and `*`. All const
+/// members of World work, without a context or with one. They give the same answers as the world gave, also version(),
 /// is_affected() and changes_since(). There are two exceptions: memory(), and Path::expansions of a query with a radius
 /// above 0. So a PathWatch can read one snapshot after the other: each of them counts as the world for which the watch
 /// was made. The immutable world has no history. To get a world that you can change, call its World::clone().
 ///
 /// If nothing has changed since the last call of World::publish() and a reader still has the snapshot of that call, the
-/// function returns the same snapshot. Each snapshot has a copy of the world. When the readers have released a
-/// snapshot, a later call uses its copy again: the call repeats the later changes of the world in this copy. The world
-/// keeps up to two such copies for later snapshots. Suppose that the readers release each snapshot when the next one
-/// exists. Then the third call uses the copy of the first snapshot again and repeats the changes since the first call,
-/// the fourth call uses the copy of the second snapshot, and so on. If no copy is free, the call makes one. The first
-/// call makes a copy for this reason, and so does each call at which readers hold more snapshots at once than ever
-/// before. After the first call, each operation also records the ids of the items that it changes, 16 bytes for each.
-/// Each snapshot that readers hold takes as much memory as a clone(). World::shrink_to_fit() frees the copies that no
-/// reader holds.
+/// function returns the same snapshot. Each immutable world is a *replica*: a copy of the original world. When the
+/// readers have released all handles of a replica, a later call uses it again: the call repeats the later changes of
+/// the world in this replica. The world keeps up to two such replicas for later snapshots. Suppose that the readers
+/// release each snapshot when the next one exists. Then the third call uses the replica of the first snapshot again and
+/// repeats the changes since the first call, the fourth call uses the replica of the second snapshot, and so on. If
+/// readers hold all replicas, the call makes a new one. The first call makes a replica for this reason, and so does
+/// each call at which readers hold more snapshots at once than ever before. After the first call, each operation also
+/// records the ids of the items that it changes, 16 bytes for each. Each snapshot that readers hold takes as much
+/// memory as a clone(). World::shrink_to_fit() frees the replicas that no reader holds.
 ///
 /// When the last handle of an immutable world is released or destroyed, World::publish() may use its memory again. If
 /// the world does not keep this memory, or has been destroyed, the thread with the last handle frees it. A snapshot can
@@ -54,9 +54,9 @@ inline constexpr char kEmptySnapshot[] =
 /// released the snapshot.
 ///
 /// Threads: several threads may query one snapshot at once, each with its own QueryContext. Each handle belongs to one
-/// thread at a time, like a std::shared_ptr: give each thread a copy of its own. Threads may copy, release and destroy
-/// their handles while another thread calls any member of the world. To copy, release or destroy a handle never waits
-/// for another thread.
+/// thread at a time, like a std::shared_ptr: give each thread a handle of its own. Threads may copy, release and
+/// destroy their handles while another thread calls any member of the world. To copy, release or destroy a handle never
+/// waits for another thread.
 class WAYWRIGHT_API WorldSnapshot {
  public:
   /// Makes an empty snapshot, which has no world.

@@ -21,9 +21,9 @@ namespace waywright::clearance {
 
 /// All bridges of a mesh. BridgeFinder says what a bridge is.
 ///
-/// Let a disc of radius r fit at two positions. It can move from one position to the other if and only if no walls and
-/// no bridges that are shorter than 2 r separate the two positions. So the bridges say for every radius where a disc
-/// can pass. The class stores no data for any particular radius.
+/// Let a disc of radius r fit at two positions. Consider all walls, and the bridges that are shorter than 2 r. The disc
+/// can move from one position to the other if and only if these lines together do not separate the two positions. So
+/// the bridges say for every radius where a disc can pass. The class stores no data for any particular radius.
 ///
 /// A bridge between two vertices is an edge of the mesh. A bridge to the inside of a wall is a *foot bridge*: it starts
 /// at a corner of a face, crosses free edges and ends at its foot. Each wall has a list of the foot bridges that end on

@@ -9,10 +9,10 @@ namespace waywright::clearance {
 using mesh::Face;
 using mesh::HalfEdge;
 
-// Which bridges can change. A face is *touched* if the operation has made, changed or freed it. A disc or a
-// circle touches a wall if they have a position in common. The region R is the union of the touched faces. Let b be a
-// bridge before the operation or after it, but not both, and let its corner or its edge belong to untouched faces only.
-// The walls decide alone what a bridge is. So the closed disc D of b touches a wall that the operation has inserted or
+// Which bridges can change. A face is *touched* if the operation has made, rebuilt or freed it. A disc or a circle
+// touches a wall if they have a position in common. The region R is the union of the touched faces. Let b be a bridge
+// before the operation or after it, but not both, and let its corner or its edge belong to untouched faces only. The
+// walls decide alone what a bridge is. So the closed disc D of b touches a wall that the operation has inserted or
 // removed, at a position t that is no vertex at which b ends: this wall blocks b in the other state, or b ends on this
 // wall. In the state in which b is a bridge, D touches no wall except at the ends of b. Each vertex is the end of a
 // wall. So D contains no vertex of an untouched face except the ends of b. Both faces of a changed wall are touched, so

@@ -95,9 +95,9 @@ void ConstrainedTriangulation<Geometry>::end_item(std::uint32_t item) {
 
 // Inserts a side piece by piece. A piece ends at the next vertex on the side, or at a new vertex on the first fixed
 // edge that the side crosses. At a vertex with many edges, the search for the next piece would take long. So if many
-// items have a corner at `side.from` (is_hub()), and this vertex has many edges and more than `side.to`, the function
-// begins at `side.to`. If a piece ends at a vertex with many edges, the function continues from the other end of the
-// side, towards this vertex. It stops if has_too_many_vertices() becomes true.
+// items have a corner at `side.from` (is_hub()), and if this vertex has many edges, and more edges than `side.to` has,
+// the function begins at `side.to`. If a piece ends at a vertex with many edges, the function continues from the other
+// end of the side, towards this vertex. It stops if has_too_many_vertices() becomes true.
 template <class Geometry>
 void ConstrainedTriangulation<Geometry>::insert_side(std::uint32_t slot) {
   if (has_too_many_vertices()) return;

@@ -29,7 +29,7 @@ void ConstrainedTriangulation<Geometry>::remove(ItemId id) {
   new_walls_.forget();
   items_.for_each_side(slot, [&](std::uint32_t side) { remove_side(side); });
   for (const mesh::Vertex v : outline_.corners) remove_corner_use(v, slot);
-  triangulation_.legalise_freed();
+  triangulation_.legalise_unfixed();
   std::sort(touched_.begin(), touched_.end());
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
   remove_unneeded();
@@ -64,7 +64,7 @@ void ConstrainedTriangulation<Geometry>::remove_side(std::uint32_t slot) {
     touched_.push_back(end);
     const Uses rest = uses_.remove(mesh.label(h), slot);
     if (rest == UseLists::kNone) {
-      triangulation_.free_edge(h);
+      triangulation_.unfix_edge(h);
     } else {
       triangulation_.fix(h, rest);
     }

@@ -21,11 +21,12 @@ namespace waywright::delaunay {
 template <class Geometry>
 class CavityFiller {
  public:
-  /// Makes u - w an edge, fixes it with `label`, and fills the cavity of the faces that it crosses with new faces.
-  /// Returns the half-edge from u to w. All other faces stay as they are. `crossed` lists the edges that u - w crosses,
-  /// in order from u to w. Each is a half-edge of the face that is nearer to u, so it runs from the right of u - w to
-  /// its left. Requires: all crossed edges are free, and no vertex lies between u and w. Source: for the cavity,
-  /// Anglada, *An improved incremental algorithm for constructing restricted Delaunay triangulations*, 1997.
+  /// Makes u - w an edge with the label `label`, which is not 0, so the edge is fixed. Fills the cavity of the faces
+  /// that u - w crosses with new faces. Returns the half-edge from u to w. All other faces stay as they are. `crossed`
+  /// lists the edges that u - w crosses, in order from u to w. Each is a half-edge of the face that is nearer to u, so
+  /// it runs from the right of u - w to its left. Requires: all crossed edges are free, and no vertex lies between u
+  /// and w. Source: for the cavity, Anglada, *An improved incremental algorithm for constructing restricted Delaunay
+  /// triangulations*, 1997.
   template <class Mesh>
   mesh::HalfEdge force_edge(const Geometry& geometry, Mesh& mesh, mesh::Vertex u, mesh::Vertex w,
                             const std::vector<mesh::HalfEdge>& crossed, mesh::Label label);

@@ -12,8 +12,8 @@
 
 namespace waywright::delaunay {
 
-/// Fixes edges between vertices of one range, [begin, end), without an undo log. Several threads can do this in one
-/// triangulation at once, each with a range and an object of its own: see mesh::UnloggedMesh.
+/// Makes fixed (constrained) edges between vertices of one range, [begin, end), without an undo log. Several threads
+/// can do this in one triangulation at once, each with a range and an object of its own: see mesh::UnloggedMesh.
 template <class Geometry>
 class LocalEdges {
  public:

@@ -9,14 +9,14 @@
 namespace waywright::delaunay {
 
 template <class Geometry>
-void Triangulation<Geometry>::free_edge(mesh::HalfEdge h) {
+void Triangulation<Geometry>::unfix_edge(mesh::HalfEdge h) {
   mesh_.set_label(h, 0);
-  freed_.push_back(h);
+  unfixed_.push_back(h);
 }
 
 template <class Geometry>
-void Triangulation<Geometry>::legalise_freed() {
-  legalise(geometry_, mesh_, freed_);
+void Triangulation<Geometry>::legalise_unfixed() {
+  legalise(geometry_, mesh_, unfixed_);
 }
 
 // Each step around the vertex waits for memory whose address the previous step has read, so the function goes around
@@ -139,13 +139,15 @@ mesh::HalfEdge Triangulation<Geometry>::refill_cavity() {
 //                      beyond the base, or on its line, has a circle that reaches less far in front than the empty
 //                      circle; if such a vertex is the candidate, each vertex in front of the base must replace it.
 //
-// The code need not test whether the candidate m lies in front. If m lies in front, the determinant is positive for
-// each n in m's circle. If m lies beyond the base, the sign of the determinant is reversed: it is positive for each n
-// in front, because n then lies outside m's circle. For n beyond the base, the determinant is negative if m lies in
-// front; if m lies beyond it, too, the code may choose either. Ties are decided as if one lifted point were lowered by
-// an infinitesimal, and the same argument holds for these points. In a tie, the sign of the determinant still decides,
-// except if n is the lowered point. Then n lies in every circle, also in the circle of m. So it is impossible that m
-// lies beyond the base and n in front of it.
+// The determinant is the in-circle determinant of the two ends of the base, of the candidate m and of the next vertex
+// n. A vertex lies *in front* of the base if it lies where the triangle will be, and *beyond* the base if the line
+// through the base separates it from there. The code need not test whether the candidate m lies in front. If m lies in
+// front, the determinant is positive for each n in m's circle. If m lies beyond the base, the sign of the determinant
+// is reversed: it is positive for each n in front, because n then lies outside m's circle. For n beyond the base, the
+// determinant is negative if m lies in front; if m lies beyond it, too, the code may choose either. Ties are decided as
+// if one lifted point were lowered by an infinitesimal, and the same argument holds for these points. In a tie, the
+// sign of the determinant still decides, except if n is the lowered point. Then n lies in every circle, also in the
+// circle of m. So it is impossible that m lies beyond the base and n in front of it.
 //
 // No edge of the cavity hides a vertex that lies in the circle, because v lies in the circle, and no edge of the cavity
 // lay between v and a vertex of the cavity. Source: Devillers, *Vertex removal in two-dimensional Delaunay

@@ -103,10 +103,10 @@ class Triangulation {
   /// Sets the label of the edge of `h`, which makes the edge fixed.
   void fix(mesh::HalfEdge h, mesh::Label label) { mesh_.set_label(h, label); }
 
-  /// Makes the edge of `h` free. The edge may be illegal until legalise_freed() has run.
-  void free_edge(mesh::HalfEdge h);
+  /// Makes the edge of `h` free. The edge may be illegal until legalise_unfixed() has run.
+  void unfix_edge(mesh::HalfEdge h);
   /// Flips freed edges, and edges that these flips make illegal, until every free edge is legal again.
-  void legalise_freed();
+  void legalise_unfixed();
 
   /// The surroundings of a vertex: the half-edges that start there, counter-clockwise, and the indices of those that
   /// are fixed.
@@ -152,7 +152,7 @@ class Triangulation {
   mesh::HalfEdge force_edge(mesh::Vertex u, mesh::Vertex w, const std::vector<mesh::HalfEdge>& crossed,
                             mesh::Label label);
 
-  /// Several threads can fix edges at once, each with a range of vertices of its own: see LocalEdges. Requires:
+  /// Several threads can make fixed edges at once, each with a range of vertices of its own: see LocalEdges. Requires:
   /// make_room_for_labels() has been called, and nobody will call roll_back() before the next begin().
   [[nodiscard]] LocalEdges<Geometry> local_edges(mesh::Vertex begin, mesh::Vertex end) {
     return LocalEdges<Geometry>(geometry_, mesh_, ghost_, begin, end);
@@ -209,7 +209,7 @@ class Triangulation {
 
   // Scratch.
   std::vector<mesh::HalfEdge> in_doubt_;
-  std::vector<mesh::HalfEdge> freed_;
+  std::vector<mesh::HalfEdge> unfixed_;
   Star star_;
   std::vector<mesh::HalfEdge> clockwise_;
   std::vector<mesh::HalfEdge> cavity_edges_;

@@ -73,7 +73,7 @@ void Triangulation<Geometry>::count_memory(MemoryUse& use) const {
   mesh_.count_memory(use);
   if constexpr (requires { geometry_.count_memory(use); }) geometry_.count_memory(use);
   sectors_.count_memory(use);
-  memory::count_spare(use, in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, cavity_edges_, cavity_positions_,
+  memory::count_spare(use, in_doubt_, unfixed_, star_.spokes, star_.fixed, clockwise_, cavity_edges_, cavity_positions_,
                       triangles_);
   large_cavity_.count_memory(use);
   cavity_filler_.count_memory(use);
@@ -84,7 +84,7 @@ void Triangulation<Geometry>::shrink_to_fit() {
   mesh_.shrink_to_fit();
   if constexpr (requires { geometry_.shrink_to_fit(); }) geometry_.shrink_to_fit();
   sectors_.shrink_to_fit();
-  memory::release(in_doubt_, freed_, star_.spokes, star_.fixed, clockwise_, cavity_edges_, cavity_positions_,
+  memory::release(in_doubt_, unfixed_, star_.spokes, star_.fixed, clockwise_, cavity_edges_, cavity_positions_,
                   triangles_);
   large_cavity_.release();
   cavity_filler_.release();
@@ -95,7 +95,7 @@ void Triangulation<Geometry>::roll_back() {
   mesh_.roll_back();
   geometry_.roll_back();
   recent_ = recent_before_;
-  freed_.clear();
+  unfixed_.clear();
 }
 
 template <class Geometry>

@@ -130,9 +130,10 @@ void Abstraction::remove_common_polygons() {
   std::erase_if(removed_, is_common);
 }
 
-/// Returns whether the change happened in open space: every face of `changed_` had three passages in the core, all
-/// these faces belonged to one component, and all edges of the faces in `new_faces_` are passages. The new faces then
-/// belong to the same component, and each has three passages in the core.
+/// Returns whether the change happened in open space: before it, every face in the list `changed_` that existed had
+/// three passages to faces of the two-core, and all these faces belonged to one component. After it, all edges of the
+/// faces in `new_faces_` are passages. The new faces then belong to the same component, and each has three passages to
+/// faces of the two-core.
 bool Abstraction::is_in_open_space(const mesh::TriangleMesh& mesh) const {
   if (!inserted_.empty() || !removed_.empty()) return false;
   Components::Id component = Components::kNone;

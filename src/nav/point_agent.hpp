@@ -10,8 +10,9 @@ namespace waywright::nav {
 /// able to cross some fixed edges, or may be too large for some free edges.
 ///
 /// For a point agent every constrained edge is a wall. Another kind of point agent needs a class with the same
-/// function. The function is inline and the class has no state. So a call costs no more than a call of
-/// TriangleMesh::is_fixed.
+/// function. Its agent must not cross the boundary of a polygon, because Components stores one cover for each
+/// component. Its answer must not depend on the label of a fixed edge, because Abstraction ignores changes of labels.
+/// The function is inline and the class has no state. So a call costs no more than a call of TriangleMesh::is_fixed.
 class PointAgent {
  public:
   /// Returns whether the agent can cross the edge of `h`, so that the edge is a passage between its two faces.

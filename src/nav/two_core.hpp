@@ -49,9 +49,9 @@ class TwoCore {
   [[nodiscard]] bool is_passage(mesh::Face f, mesh::HalfEdge h) const {
     return (states_[number(f)] >> mesh::index_in(f, h) & 1U) != 0;
   }
-  /// The face's passages in the core: bit i stands for the face's half-edge number i.
+  /// The face's passages to other faces of the core: bit i stands for the face's half-edge number i.
   [[nodiscard]] unsigned passages(mesh::Face f) const { return states_[number(f)] & unsigned{kPassages}; }
-  /// The number of the face's passages in the core: 0 outside the core, 2 in a corridor, 3 at a junction.
+  /// The number of these passages: 0 outside the core, 2 in a corridor, 3 at a junction.
   [[nodiscard]] unsigned degree(mesh::Face f) const { return static_cast<unsigned>(std::popcount(passages(f))); }
   /// Returns the half-edge by which a tree face leads towards the core, or kNoHalfEdge for the root of a component
   /// without a core. Requires: `f` is not in the core.
@@ -76,8 +76,8 @@ class TwoCore {
   [[nodiscard]] bool is_absent(mesh::Face f) const {
     return number(f) >= states_.size() || states_[number(f)] == kAbsent;
   }
-  /// Does the same as update(). Requires: all faces of `changed` that were in the graph had three passages in the core,
-  /// and all faces of `new_faces` have three passages.
+  /// Does the same as update(). Requires: all faces of `changed` that were in the graph had three passages to faces of
+  /// the core, and all faces of `new_faces` have three passages.
   void update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> changed,
                             std::span<const mesh::Face> new_faces);
 

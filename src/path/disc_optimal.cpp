@@ -21,7 +21,7 @@ constexpr int kFacesBetweenOffers = 8;
 /// path turns left at the root and another vertex lies right of this line, or the reverse. If this vertex is farther
 /// than this many radii from the line, the next line of the path does not lead to the vertex. The exact factor is 2.
 /// The rest allows for rounding.
-constexpr double kOutside = 2.125;
+constexpr double kMostRadiiBehind = 2.125;
 
 Point opposite(const Point& v) { return {-v.x, -v.y}; }
 
@@ -52,9 +52,10 @@ void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit, 
   leave_start(ends.at_start());
 }
 
-/// Returns whether the edge `exit` is too short for a line from a pivot. Requires: the edge is not surely long
-/// (DiscMap::surely_long); `squared` is its squared length. If the edge is shorter than the disc is wide, the disc fits
-/// at no position on it. But if the edge is near the vertex of a pivot, a line may begin beyond the edge.
+/// Returns whether the edge `exit` is too short for a line from a pivot. There are two cases: the edge is a bridge that
+/// is shorter than the disc is wide; or the edge is shorter than the disc is wide, and its distance from the vertex of
+/// the pivot is larger than the radius. (If a shorter edge is nearer to the vertex, a line may begin beyond the edge.)
+/// Requires: the edge is not surely long (DiscMap::surely_long); `squared` is its squared length.
 bool DiscOptimal::is_too_short(const Pivot& from, HalfEdge exit, const Edge& edge, double squared) const {
   if (map_->is_closed(exit)) return true;
   if (squared >= map_->surely_short) return false;
@@ -62,29 +63,29 @@ bool DiscOptimal::is_too_short(const Pivot& from, HalfEdge exit, const Edge& edg
          squared_distance_to_segment(from.centre, edge.right, edge.left) > map_->radius * map_->radius;
 }
 
-/// Returns whether the search does not follow a window between the rays `left` and `right` across the edge `exit`,
+/// Returns true if the search does not follow a window between the rays `left` and `right` across the edge `exit`,
 /// whose ends are `edge`. There are two reasons. First, is_excluded() is true. Second, the piece of the edge that the
 /// window sees is too far from the line through the vertex of the root, in the direction in which the path arrives
 /// there: the path turns left at the root and the piece lies right of this line, or the reverse, and the distance of
 /// the piece from the line is larger than the diameter of the disc. A line from the root to a vertex that the window
 /// sees beyond this piece would turn back.
 WAYWRIGHT_ALWAYS_INLINE
-bool DiscOptimal::is_outside(const Root& root, const Point& left, const Point& right, HalfEdge exit,
-                             const Edge& edge) const {
+bool DiscOptimal::is_window_excluded(const Root& root, const Point& left, const Point& right, HalfEdge exit,
+                                     const Edge& edge) const {
   const Pivot& from = root.end.pivot;
   if (is_excluded(from, exit, edge)) return true;
   const bool is_left = from.turn == kTurnLeft;
-  const Point& nearer_bound = is_left ? left : right;
-  if (from.turn * cross(root.direction, nearer_bound) >= 0.0) return false;
-  return is_far_behind(root, nearer_bound, edge) && is_far_behind(root, is_left ? right : left, edge);
+  const Point& nearer_ray = is_left ? left : right;
+  if (from.turn * cross(root.direction, nearer_ray) >= 0.0) return false;
+  return is_far_behind(root, nearer_ray, edge) && is_far_behind(root, is_left ? right : left, edge);
 }
 
 /// Returns whether the point where a ray of a window meets the edge is too far from the line through the vertex of the
-/// root: see is_outside().
-bool DiscOptimal::is_far_behind(const Root& root, const Point& bound, const Edge& edge) const {
+/// root: see is_window_excluded().
+bool DiscOptimal::is_far_behind(const Root& root, const Point& ray, const Edge& edge) const {
   const Pivot& from = root.end.pivot;
-  const std::optional<Point> end = meeting({0.0, 0.0}, bound, edge.right - from.centre, edge.left - edge.right);
-  return end && from.turn * cross(root.direction, *end) < -kOutside * map_->radius;
+  const std::optional<Point> end = meeting({0.0, 0.0}, ray, edge.right - from.centre, edge.left - edge.right);
+  return end && from.turn * cross(root.direction, *end) < -kMostRadiiBehind * map_->radius;
 }
 
 std::uint32_t DiscOptimal::add_root(const Root& root) {
@@ -132,8 +133,8 @@ void DiscOptimal::leave_start(const locate::Located& location) {
     for (const HalfEdge h : {first, mesh::next(first), mesh::previous(first)}) {
       const Edge edge = edge_of(h);
       if ((h == first && is_on_edge) || is_excluded(roots_[0].end.pivot, h, edge)) continue;
-      const Bound right{edge.right - ends_->start(), mesh.origin(h)};
-      const Bound left{edge.left - ends_->start(), mesh.target(h)};
+      const Ray right{edge.right - ends_->start(), mesh.origin(h)};
+      const Ray left{edge.left - ends_->start(), mesh.target(h)};
       offer({mesh.twin(h), 0, right, left}, edge);
     }
   }
@@ -165,7 +166,7 @@ void DiscOptimal::follow(Window window) {
     if (exit == mesh::kNoHalfEdge) {
       if (!divide(window, edge, apex)) return;
     } else {
-      if (is_outside(root, window.left.direction, window.right.direction, exit, edge)) return;
+      if (is_window_excluded(root, window.left.direction, window.right.direction, exit, edge)) return;
       window.entry = mesh.twin(exit);
     }
     if (faces % kFacesBetweenOffers == 0) return offer(window, edge);
@@ -178,13 +179,14 @@ void DiscOptimal::follow(Window window) {
 bool DiscOptimal::divide(Window& window, Edge& edge, const Point& apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const Root& root = roots_[window.root];
-  const Bound towards_apex{apex - root.end.pivot.centre, mesh.apex(window.entry)};
+  const Ray towards_apex{apex - root.end.pivot.centre, mesh.apex(window.entry)};
   const HalfEdge left_exit = mesh::previous(window.entry);
   const HalfEdge right_exit = mesh::next(window.entry);
   const Edge left_edge{edge.left, apex};
   const Edge right_edge{apex, edge.right};
-  const bool goes_left = !is_outside(root, window.left.direction, towards_apex.direction, left_exit, left_edge);
-  const bool goes_right = !is_outside(root, towards_apex.direction, window.right.direction, right_exit, right_edge);
+  const bool goes_left = !is_window_excluded(root, window.left.direction, towards_apex.direction, left_exit, left_edge);
+  const bool goes_right =
+      !is_window_excluded(root, towards_apex.direction, window.right.direction, right_exit, right_edge);
   if (goes_left && goes_right) {
     offer({mesh.twin(left_exit), window.root, towards_apex, window.left}, left_edge);
     offer({mesh.twin(right_exit), window.root, window.right, towards_apex}, right_edge);
@@ -477,10 +479,10 @@ void DiscOptimal::leave_root(std::uint32_t root_index, HalfEdge corner) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const Root root = roots_[root_index];
   const Pivot& pivot = root.end.pivot;
-  Bound first{{pivot.turn * root.direction.y, -pivot.turn * root.direction.x}, mesh::kNoVertex};
+  Ray first{{pivot.turn * root.direction.y, -pivot.turn * root.direction.x}, mesh::kNoVertex};
   const auto visit = [&](HalfEdge at, HalfEdge spoke, double order) {
     const Vertex end = mesh.target(spoke);
-    Bound last{map_->position(end) - pivot.centre, end};
+    Ray last{map_->position(end) - pivot.centre, end};
     // The spoke lies beyond a turn of 180 degrees (turn_around()).
     if (order > 2.0) last = {opposite(root.direction), mesh::kNoVertex};
     if (ends_->is_goal_face(mesh::face(at))) {
@@ -490,7 +492,7 @@ void DiscOptimal::leave_root(std::uint32_t root_index, HalfEdge corner) {
     const Edge edge = edge_of(exit);
     Window window{mesh.twin(exit), root_index, first, last};
     if (pivot.turn == kTurnRight) std::swap(window.right, window.left);
-    if (!is_outside(root, window.left.direction, window.right.direction, exit, edge)) offer(window, edge);
+    if (!is_window_excluded(root, window.left.direction, window.right.direction, exit, edge)) offer(window, edge);
     first = last;
   };
   roots_[root_index].limit = turn_around(*map_, pivot, root.direction, corner, visit);

@@ -42,7 +42,8 @@ class DiscOptimal {
   void begin(const DiscMap& map, const DiscEnds& ends, double limit, const GuideDistances* distances);
   /// Continues until `expansions` reaches `limit` or the search has ended. Returns whether it has ended.
   bool step(std::size_t limit, std::size_t& expansions);
-  /// A lower bound of the length of each path that is not longer than the limit. Requires: step() has returned false.
+  /// Returns a lower bound of the length of each path that the search can still find. These paths are not longer than
+  /// the `limit` of begin(). Requires: step() has returned false.
   [[nodiscard]] double least_bound() const { return open_.least_bound(); }
   [[nodiscard]] bool is_found() const { return is_found_; }
   [[nodiscard]] double length() const { return length_; }
@@ -71,15 +72,15 @@ class DiscOptimal {
 
   /// One of the two rays that bound a window. It starts at the vertex of the window's root, or at the start of the
   /// path.
-  struct Bound {
+  struct Ray {
     Point direction;
     mesh::Vertex anchor = mesh::kNoVertex;  ///< the last vertex on the ray that the search has found, or kNoVertex
   };
   struct Window {
     mesh::HalfEdge entry;  ///< the edge of the window, as a half-edge of the face beyond this edge
     std::uint32_t root;    ///< the root from whose vertex the window is visible
-    Bound right;
-    Bound left;
+    Ray right;
+    Ray left;
   };
   /// The positions of the two ends of a window's edge, on the left and on the right of the window.
   struct Edge {
@@ -129,8 +130,8 @@ class DiscOptimal {
   [[nodiscard]] Reached& reached_at(mesh::Vertex v, int turn);
   /// Returns a number that is positive if the position lies left of a ray of a window of this root, negative if it lies
   /// right of the ray, and 0 if it lies on the ray.
-  [[nodiscard]] static double orientation(const Root& root, const Bound& bound, const Point& position) {
-    return cross(bound.direction, position - root.end.pivot.centre);
+  [[nodiscard]] static double orientation(const Root& root, const Ray& ray, const Point& position) {
+    return cross(ray.direction, position - root.end.pivot.centre);
   }
   /// The ends of the edge of `exit`, for a window that leaves the face of `exit` across this edge.
   [[nodiscard]] Edge edge_of(mesh::HalfEdge exit) const {
@@ -149,9 +150,9 @@ class DiscOptimal {
     return squared <= map_->surely_long && is_too_short(from, exit, edge, squared);
   }
   [[nodiscard]] bool is_too_short(const Pivot& from, mesh::HalfEdge exit, const Edge& edge, double squared) const;
-  [[nodiscard]] bool is_outside(const Root& root, const Point& left, const Point& right, mesh::HalfEdge exit,
-                                const Edge& edge) const;
-  [[nodiscard]] bool is_far_behind(const Root& root, const Point& bound, const Edge& edge) const;
+  [[nodiscard]] bool is_window_excluded(const Root& root, const Point& left, const Point& right, mesh::HalfEdge exit,
+                                        const Edge& edge) const;
+  [[nodiscard]] bool is_far_behind(const Root& root, const Point& ray, const Edge& edge) const;
   std::uint32_t add_root(const Root& root);
   /// Makes the windows of the start, on the edges of the faces that contain it.
   void leave_start(const locate::Located& location);

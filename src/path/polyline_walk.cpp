@@ -28,25 +28,25 @@ bool PolylineWalk::is_clear(const Triangulation& triangulation, constraint::Cove
   return !states_.empty();
 }
 
-// The agent reaches the first point of the piece in the same wedges as before, but this function does not know in
-// which. So it starts in all of them. If the agent cannot pass from any of them, the piece is blocked. Otherwise it can
-// pass from the one wedge into which the segment leads: only a segment along a wall leads into two wedges. For the same
-// reason it reaches the last point in the same wedge as before, and the rest of the polyline is as it was.
-PolylineWalk::PieceState PolylineWalk::find_piece_state(const Triangulation& triangulation,
-                                                        constraint::CoverFinder& cover_finder,
-                                                        std::span<const Point> points, std::size_t first,
-                                                        std::size_t last) {
+// The agent reaches the first point of the stretch in the same wedges as before, but this function does not know in
+// which. So it starts in all of them. If the agent cannot pass from any of them, the stretch is blocked. Otherwise it
+// can pass from the one wedge into which the segment leads: only a segment along a wall leads into two wedges. For the
+// same reason it reaches the last point in the same wedge as before, and the rest of the polyline is as it was.
+PolylineWalk::StretchState PolylineWalk::find_stretch_state(const Triangulation& triangulation,
+                                                            constraint::CoverFinder& cover_finder,
+                                                            std::span<const Point> points, std::size_t first,
+                                                            std::size_t last) {
   use(triangulation);
   if (first > 0) {
     possible_ends_.clear();
     collect_crossings_at(points[first]);
-    if (!possible_ends_.empty()) return PieceState::unsure;
+    if (!possible_ends_.empty()) return StretchState::unsure;
   }
   static_cast<void>(start_at(cover_finder, points[first]));
-  if (states_.empty()) return PieceState::unsure;
+  if (states_.empty()) return StretchState::unsure;
   for (std::size_t i = first + 1; i <= last && !states_.empty(); ++i) walk_to(points, i);
-  if (states_.empty()) return PieceState::blocked;
-  return is_unsure_ ? PieceState::unsure : PieceState::clear;
+  if (states_.empty()) return StretchState::blocked;
+  return is_unsure_ ? StretchState::unsure : StretchState::clear;
 }
 
 void PolylineWalk::use(const Triangulation& triangulation) {
@@ -73,7 +73,7 @@ void PolylineWalk::walk_to(std::span<const Point> points, std::size_t i) {
   if (i + 1 < points.size()) collect_crossings_at(points[i]);
   if (possible_ends_.size() > 1) is_unsure_ = true;
   arrived_.clear();
-  for (const View& end : possible_ends_) walk_piece(end);
+  for (const View& end : possible_ends_) walk_segment(end);
   std::swap(states_, arrived_);
 }
 
@@ -122,7 +122,7 @@ void PolylineWalk::collect_crossings_at(const Point& point) {
 }
 
 /// Walks from all states straight to `target`, and adds the states there to `arrived_`.
-void PolylineWalk::walk_piece(const View& target) {
+void PolylineWalk::walk_segment(const View& target) {
   for (const State& start : states_) {
     line_ = {start.position, target};
     const auto order = geometry().order(start.position, target);

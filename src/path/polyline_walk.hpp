@@ -34,23 +34,25 @@ class PolylineWalk {
   [[nodiscard]] bool is_clear(const Triangulation& triangulation, constraint::CoverFinder& cover_finder,
                               std::span<const Point> points);
 
-  /// The answer of find_piece_state() about a piece of a polyline.
-  enum class PieceState : std::uint8_t {
+  /// The answer of find_stretch_state(). A *stretch* of a polyline consists of one or more of its straight lines, one
+  /// after the other.
+  enum class StretchState : std::uint8_t {
     clear,    ///< the agent can pass it, in the same wedges as before
     blocked,  ///< the agent cannot pass it
     unsure    ///< the agent may have to pass a wall on its left instead of its right, or the reverse
   };
 
-  /// Looks at the piece from points[first] to points[last] of a polyline that was clear before some operations. If the
-  /// pieces that these operations touch are all clear, is_clear() is true for the whole polyline. If one of them is
-  /// blocked, is_clear() is false. The result is `unsure` if the piece runs along a wall, or has a point with the
+  /// Looks at the stretch from points[first] to points[last] of a polyline that was clear before some operations. If
+  /// the stretches that these operations touch are all clear, is_clear() is true for the whole polyline. If one of them
+  /// is blocked, is_clear() is false. The result is `unsure` if the stretch runs along a wall, or has a point with the
   /// rounded coordinates of a crossing.
   ///
-  /// Requires: the piece has at least two points. No operation has changed anything at its first and its last point,
-  /// except at the ends of the polyline, and none has removed an item where the polyline turns.
-  /// Cost: the cost of is_clear() for the piece.
-  [[nodiscard]] PieceState find_piece_state(const Triangulation& triangulation, constraint::CoverFinder& cover_finder,
-                                            std::span<const Point> points, std::size_t first, std::size_t last);
+  /// Requires: the stretch has at least two points. No operation has changed anything at its first and its last point,
+  /// except at the ends of the polyline, and none has removed an item where the polyline turns. Cost: the cost of
+  /// is_clear() for the stretch.
+  [[nodiscard]] StretchState find_stretch_state(const Triangulation& triangulation,
+                                                constraint::CoverFinder& cover_finder, std::span<const Point> points,
+                                                std::size_t first, std::size_t last);
 
  private:
   using View = exact::Geometry::View;
@@ -74,7 +76,7 @@ class PolylineWalk {
   locate::Located start_at(constraint::CoverFinder& cover_finder, const Point& point);
   void walk_to(std::span<const Point> points, std::size_t i);
   void collect_crossings_at(const Point& point);
-  void walk_piece(const View& target);
+  void walk_segment(const View& target);
   void leave(const State& state);
   void leave_vertex(mesh::HalfEdge h);
   [[nodiscard]] bool leave_vertex_through(mesh::HalfEdge h);
@@ -92,7 +94,7 @@ class PolylineWalk {
   const mesh::TriangleMesh* mesh_ = nullptr;
   exact::Geometry::Line line_;          ///< of the segment that the agent walks along
   bool ascends_ = false;                ///< whether the segment's end comes after its start in (x, y) order
-  bool is_unsure_ = false;              ///< for find_piece_state()
+  bool is_unsure_ = false;              ///< for find_stretch_state()
   std::vector<View> possible_ends_;     ///< exact positions: the segment's end may be any of them
   std::vector<State> states_;           ///< at the start of the segment
   std::vector<State> arrived_;          ///< at the end of the segment

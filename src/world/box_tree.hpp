@@ -15,10 +15,13 @@ namespace waywright {
 
 /// A set of boxes, each with a value. The set finds its boxes that overlap a given box.
 ///
-/// The set is a loose quadtree over a domain. Each node has a square, and contains boxes whose centres lie in this
-/// square. A box belongs to the deepest possible node whose square is at least as wide and as high as the box. A node
-/// knows the bounding box of all boxes below it, which is at most twice as large as its square. So a search visits few
-/// nodes in which no box overlaps the given box. Boxes may reach beyond the domain. Each node stores its boxes and
+/// The set is a loose quadtree over a domain. Each node has a rectangle: the root has the domain, and each child has a
+/// quarter of its parent's rectangle. A box belongs to the deepest possible node whose rectangle contains the centre of
+/// the box, and is at least as wide and as high as the box. A box that is wider or higher than the domain belongs to
+/// the root. If the centre of a box lies outside the domain, the nearest position of the domain counts as its centre.
+/// Node::bounds contains all boxes of a node and of the nodes below it. Except at the root, and apart from boxes whose
+/// centres lie outside the domain, it is at most twice as wide and twice as high as the rectangle. So a search visits
+/// few nodes in which no box overlaps the given box. Boxes may reach beyond the domain. Each node stores its boxes and
 /// their values one after the other, because a search may visit thousands of them.
 ///
 /// Source: Ulrich, *Loose octrees*, in Game Programming Gems, 2000.
@@ -59,7 +62,7 @@ class BoxTree {
     Bucket entries;
   };
   /// Where the entry of a handle is.
-  struct Place {
+  struct EntryOfHandle {
     std::uint32_t node;
     std::uint32_t index;  ///< of the entry; of a free handle: the next free one
   };
@@ -103,9 +106,9 @@ class BoxTree {
 
   Box domain_;
   std::vector<Node> nodes_;  ///< the first is the root
-  std::vector<Place> places_;
+  std::vector<EntryOfHandle> entries_of_handles_;
   memory::FreeList free_nodes_;    ///< linked by Node::parent
-  memory::FreeList free_handles_;  ///< linked by Place::index
+  memory::FreeList free_handles_;  ///< linked by EntryOfHandle::index
 };
 
 template <class Bucket>
@@ -149,8 +152,8 @@ void BoxTree<Bucket>::descend(const Box& box, Descent& descent) {
 template <class Bucket>
 auto BoxTree<Bucket>::insert(const Box& box, const Value& value) -> Handle {
   if (free_handles_.is_empty()) {
-    places_.push_back({});
-    places_.back().index = free_handles_.push(static_cast<std::uint32_t>(places_.size() - 1));
+    entries_of_handles_.push_back({});
+    entries_of_handles_.back().index = free_handles_.push(static_cast<std::uint32_t>(entries_of_handles_.size() - 1));
   }
   Descent descent(*this);
   descend(box, descent);
@@ -159,8 +162,8 @@ auto BoxTree<Bucket>::insert(const Box& box, const Value& value) -> Handle {
   entries.add(box, value, free_handles_.first());
   // Nothing can fail from here on.
   descent.done();
-  const Handle handle = free_handles_.pop(places_[free_handles_.first()].index);
-  places_[handle] = {node, static_cast<std::uint32_t>(entries.size() - 1)};
+  const Handle handle = free_handles_.pop(entries_of_handles_[free_handles_.first()].index);
+  entries_of_handles_[handle] = {node, static_cast<std::uint32_t>(entries.size() - 1)};
   for (std::uint32_t at = node; at != kNone; at = nodes_[at].parent) {
     Box& bounds = nodes_[at].bounds;
     if (nodes_[at].count++ == 0) bounds = box;
@@ -172,11 +175,11 @@ auto BoxTree<Bucket>::insert(const Box& box, const Value& value) -> Handle {
 
 template <class Bucket>
 void BoxTree<Bucket>::remove(Handle handle) {
-  const auto [node, index] = places_[handle];
+  const auto [node, index] = entries_of_handles_[handle];
   Bucket& entries = nodes_[node].entries;
   entries.remove(index);
-  if (index < entries.size()) places_[entries.handle(index)].index = index;
-  places_[handle].index = free_handles_.push(handle);
+  if (index < entries.size()) entries_of_handles_[entries.handle(index)].index = index;
+  entries_of_handles_[handle].index = free_handles_.push(handle);
   for (std::uint32_t at = node; at != kNone;) {
     const std::uint32_t parent = nodes_[at].parent;
     --nodes_[at].count;

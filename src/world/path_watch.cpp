@@ -173,7 +173,7 @@ class Answer {
 
 struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   using Pieces = BoxTree<PieceBucket>;
-  using Reaches = BoxTree<EllipseBucket>;
+  using Ellipses = BoxTree<EllipseBucket>;
   using Boxes = std::span<const ChangedBox>;
   using ExactTriangulation = constraint::ExactTriangulation;
 
@@ -188,8 +188,8 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
     std::vector<PathPiece> pieces;  ///< empty for a point agent
     double radius = 0.0;
     std::vector<Pieces::Handle> boxes;  ///< handles in Impl::pieces
-    Reaches::Handle reach = 0;          ///< a handle in Impl::reaches
-    bool has_reach = false;
+    Ellipses::Handle ellipse = 0;       ///< a handle in Impl::ellipses
+    bool has_ellipse = false;
     bool is_in_domain = false;  ///< whether all points are points of the domain
   };
 
@@ -198,7 +198,7 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
         version(world.version()),
         had_crossings(has_crossings(world)),
         pieces(domain),
-        reaches(domain) {}
+        ellipses(domain) {}
 
   static bool has_crossings(const World& world) {
     return world.impl_->triangulation.triangulation().geometry().has_constructed();
@@ -259,7 +259,7 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   bool had_crossings;     ///< whether the world had crossings at the last update
   std::uint64_t updates = 0;
   Pieces pieces;
-  Reaches reaches;  ///< by the bounding boxes of the ellipses
+  Ellipses ellipses;  ///< by the bounding boxes of the ellipses
   std::vector<Watched> watched;
   std::vector<State> states;      ///< by slot
   std::size_t blocked_count = 0;  ///< the number of paths with State::is_blocked
@@ -268,7 +268,7 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   KeyOrder keys;                                           ///< the keys of `slots`
   std::vector<std::array<Point, 2>> walls;  ///< some walls that meet the box that check_box() is looking at
   bool has_walls = false;                   ///< whether `walls` is up to date
-  constraint::SlotSet reached;
+  constraint::SlotSet seen_faces;
   std::vector<mesh::HalfEdge> faces;
   nav::ComponentCoverFinder cover_finder;
   path::PolylineWalk walk;
@@ -311,9 +311,9 @@ void PathWatch::Impl::add_boxes(std::uint32_t slot) {
 void PathWatch::Impl::drop(std::uint32_t slot) noexcept {
   Watched& path = watched[slot];
   for (const Pieces::Handle box : path.boxes) pieces.remove(box);
-  if (path.has_reach) reaches.remove(path.reach);
+  if (path.has_ellipse) ellipses.remove(path.ellipse);
   set_blocked(slot, false);
-  path.has_reach = false;
+  path.has_ellipse = false;
   path.boxes.clear();
   path.points.clear();
   path.pieces.clear();
@@ -342,14 +342,14 @@ void PathWatch::Impl::collect_walls(const ExactTriangulation& triangulation, con
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
   const mesh::TriangleMesh& mesh = triangulation.topology();
   walls.clear();
-  reached.clear();
+  seen_faces.clear();
   faces.clear();
   has_walls = true;
-  const auto reach = [&](mesh::HalfEdge h) {
+  const auto add_face = [&](mesh::HalfEdge h) {
     if (faces.size() == kMostFaces || triangulation.triangulation().is_ghost_face(h)) return;
-    if (reached.insert(number(mesh::face(h)))) faces.push_back(h);
+    if (seen_faces.insert(number(mesh::face(h)))) faces.push_back(h);
   };
-  reach(triangulation.triangulation().locate(box.min).h);
+  add_face(triangulation.triangulation().locate(box.min).h);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const mesh::HalfEdge face = faces[i];
     for (const mesh::HalfEdge h : {face, mesh::next(face), mesh::previous(face)}) {
@@ -357,13 +357,13 @@ void PathWatch::Impl::collect_walls(const ExactTriangulation& triangulation, con
       const Point& to = geometry.rounded(number(mesh.target(h)));
       if (!probably_meets(from, to, box)) continue;
       if (!nav::PointAgent::can_cross(mesh, h) && h < mesh.twin(h)) walls.push_back({from, to});
-      reach(mesh.twin(h));
+      add_face(mesh.twin(h));
     }
   }
 }
 
-/// Returns true only if the piece on a diagonal of the box surely crosses one of `walls`. The ends of the piece differ
-/// from the ends of the diagonal by at most two rounding errors.
+/// Returns true only if the piece surely crosses one of `walls`. The piece runs along a diagonal of the box `around`.
+/// Each coordinate of its ends differs from a coordinate of the box by less than twice slack_of() for the domain.
 bool PathWatch::Impl::crosses_wall(const Box& around, Diagonal diagonal) const {
   if (!has_walls || diagonal == Diagonal::none) return false;
   const std::array<Point, 2> ends = ends_of(around, diagonal);
@@ -372,7 +372,7 @@ bool PathWatch::Impl::crosses_wall(const Box& around, Diagonal diagonal) const {
                      [&](const auto& wall) { return surely_cross(ends[0], ends[1], wall[0], wall[1], slack); });
 }
 
-/// Returns whether PolylineWalk::find_piece_state() can decide about the pieces of a path that the boxes touch. It
+/// Returns whether PolylineWalk::find_stretch_state() can decide about the stretches of a path that the boxes touch. It
 /// cannot decide if the path was blocked, or if an operation has removed an item where the path turns: the turn may
 /// have been at a crossing that no longer exists. If there are many boxes, the result is false, too.
 bool PathWatch::Impl::can_decide_by_pieces(std::uint32_t slot, Boxes boxes) const {
@@ -405,9 +405,9 @@ bool PathWatch::Impl::touches(const Watched& path, std::uint32_t segment, const 
   return path::may_touch(points.subspan(segment, std::min<std::size_t>(points.size(), 2)), box);
 }
 
-/// Returns whether the path is clear. If it was clear before, it is enough to look at the pieces that a box touches.
+/// Returns whether the path is clear. If it was clear before, it is enough to look at the stretches that a box touches.
 bool PathWatch::Impl::is_clear(std::uint32_t slot, const World& world, Boxes boxes) {
-  using PieceState = path::PolylineWalk::PieceState;
+  using StretchState = path::PolylineWalk::StretchState;
   const constraint::ExactTriangulation& triangulation = world.impl_->triangulation;
   const std::span<const Point> points = watched[slot].points;
   cover_finder.use(world.impl_->kept_abstraction());
@@ -420,10 +420,10 @@ bool PathWatch::Impl::is_clear(std::uint32_t slot, const World& world, Boxes box
     if (!is_touched(first)) continue;
     std::size_t last = first + 1;
     while (last + 1 < points.size() && is_touched(last)) ++last;
-    const PieceState state = walk.find_piece_state(triangulation, cover_finder, points, first, last);
-    if (state == PieceState::blocked) return false;
-    is_sure = state == PieceState::clear;
-    first = last;  // the segment after the piece is not touched
+    const StretchState state = walk.find_stretch_state(triangulation, cover_finder, points, first, last);
+    if (state == StretchState::blocked) return false;
+    is_sure = state == StretchState::clear;
+    first = last;  // no box touches the segment after the stretch
   }
   return is_sure || walk.is_clear(triangulation, cover_finder, points);
 }
@@ -453,7 +453,7 @@ void PathWatch::Impl::check_box(const ChangedBox& changed, const World& world, B
     check(piece, around, world, boxes, changes);
   };
   if (may_change) pieces.for_each_overlapping(changed.box, look_at);
-  if (changed.is_removal) reaches.for_each_overlapping(changed.box, [&](std::uint32_t slot) { keys.mark(slot); });
+  if (changed.is_removal) ellipses.for_each_overlapping(changed.box, [&](std::uint32_t slot) { keys.mark(slot); });
 }
 
 void PathWatch::Impl::check_all(const World& world, PathChanges& changes) {
@@ -485,8 +485,8 @@ void PathWatch::add(std::uint64_t key, const Path& path) {
   impl_->states[addition.slot()] = {0, !path.pieces.empty(), false};
   impl_->add_boxes(addition.slot());
   const Ellipse ellipse = ellipse_of(path);
-  added.reach = impl_->reaches.insert(bounds_of(ellipse), {ellipse, addition.slot()});
-  added.has_reach = true;
+  added.ellipse = impl_->ellipses.insert(bounds_of(ellipse), {ellipse, addition.slot()});
+  added.has_ellipse = true;
   const auto [found, is_new] = impl_->slots.try_emplace(key, addition.slot());
   // Nothing can fail from here on.
   if (is_new) {

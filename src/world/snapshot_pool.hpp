@@ -109,8 +109,8 @@ class SnapshotPool {
   /// The largest number of replicas that the pool owns. The last reader of an older replica frees it.
   static constexpr std::size_t kMost = 16;
 
-  /// A replica follows the world if at most this number of items have changed, plus one in kItemsForEachChange of all
-  /// items. If more have changed, a copy of the world costs less.
+  /// Let n be the number of items of the world. A replica can follow the world if at most kFewChanges + n /
+  /// kItemsForEachChange items have changed. If more have changed, a copy of the world costs less.
   static constexpr std::size_t kFewChanges = 64;
   /// See kFewChanges.
   static constexpr std::size_t kItemsForEachChange = 32;
