@@ -5,7 +5,7 @@
 include(${CMAKE_CURRENT_LIST_DIR}/../project/run.cmake)
 
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${BINARY} -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER}
-    -DCMAKE_BUILD_TYPE=Hostile "-DCMAKE_CXX_FLAGS=${FLAGS}")
+    -DCMAKE_BUILD_TYPE=Hostile "-DCMAKE_CXX_FLAGS=${FLAGS}" -DWAYWRIGHT_UNITY=8)
 run(${CMAKE_COMMAND} --build ${BINARY})
 
 # print_output(FILE PROGRAM ARGUMENT...): runs the program, and writes its output to FILE.
