@@ -29,8 +29,9 @@ namespace waywright {
 /// if it inserts and removes more than 256 items, the remaining items share the last box.
 ///
 /// These boxes are enough to find out what a change means for paths, although the triangles of the mesh change outside
-/// of them, too. Changes of the triangles alone do not matter for paths: an agent can walk where it could walk before,
-/// unless an operation has inserted an item there.
+/// of them, too. Changes of the triangles alone do not matter for paths. A path stays clear unless an operation has
+/// inserted an item there, or has removed a crossing at which the path turns (Path::points). In both cases the path
+/// meets a box.
 ///
 /// World::is_affected() and PathWatch compare paths with the boxes. For a path of a disc, is_affected() can also return
 /// true if a box is a little farther from the path than Path::radius: by up to a 32nd of the radius near an arc, and by

@@ -17,12 +17,14 @@ namespace waywright {
 class World;
 
 /// The answer of PathWatch::update: the keys of the paths that the operations since the last update may have blocked or
-/// made longer than necessary. The keys of each list ascend. A path can be in two lists.
+/// made longer than necessary. The keys of each list ascend. A path can be in two lists. If the world no longer has the
+/// boxes of all these operations, the lists contain more paths: see PathWatch::update.
 struct PathChanges {
   /// The paths of point agents that are no longer clear: World::is_clear() is false for their points, and an operation
   /// has inserted or removed an item near them. The list contains no path that is clear.
   std::vector<std::uint64_t> blocked;
-  /// The paths of discs to which an inserted item is so near that the disc may touch it. See World::is_affected().
+  /// The paths of discs to which the bounding box of an inserted item is so near that the disc may touch this box. See
+  /// World::is_affected().
   std::vector<std::uint64_t> may_be_blocked;
   /// The paths that may be longer than necessary: an operation has removed an item that may have blocked a shorter
   /// path. No other path has become longer than necessary, with one exception: see PathWatch.
@@ -87,14 +89,17 @@ class WAYWRIGHT_API PathWatch {
   /// remove them. A path that stays blocked appears in `changes` again only if a later operation changes something near
   /// it.
   ///
-  /// If the world no longer has the boxes of all operations since then (World::changes_since()), the watch checks all
-  /// paths. Requires: `world` is the world for which the watch was made, this world after a move, or a snapshot of it
-  /// (WorldSnapshot). Cost: for each box of the operations since the last update (ChangedBox), a search in a tree; for
-  /// the pieces of paths that come near to a box, the cost of World::is_clear(); the answer; and one step for each 64
-  /// paths of the watch. The watch calls World::is_clear() for a whole path in these cases: a piece near a box runs
-  /// along a wall, or has a point with the rounded coordinates of a crossing; the path turns where a crossing may have
-  /// vanished; the last check found the path blocked; there are more than 8 boxes. Allocates nothing if earlier updates
-  /// had answers of this size. If memory runs out, `changes` is empty, and you can call update() again.
+  /// If the world no longer has the boxes of all operations since then (World::changes_since()), the watch looks at all
+  /// paths: it calls World::is_clear() for each path of a point agent, and lists each path of a disc in
+  /// PathChanges::may_be_blocked and each path in PathChanges::may_be_too_long, without a test.
+  /// Requires: `world` is the world for which the watch was made, this world after a move, or a snapshot of it
+  /// (WorldSnapshot).
+  /// Cost: for each box of the operations since the last update (ChangedBox), a search in a tree; for the pieces of
+  /// paths that come near to a box, the cost of World::is_clear(); the answer; and one step for each 64 paths of the
+  /// watch. The watch calls World::is_clear() for a whole path in these cases: a piece near a box runs along a wall, or
+  /// has a point with the rounded coordinates of a crossing; the path turns where a crossing may have vanished; the
+  /// last check found the path blocked; there are more than 8 boxes. Allocates nothing if earlier updates had answers
+  /// of this size. If memory runs out, `changes` is empty, and you can call update() again.
   void update(const World& world, PathChanges& changes);
 
  private:

@@ -190,10 +190,9 @@ class WAYWRIGHT_API World {
   std::uint64_t mark();
 
   /// Brings back the state of the world at a tick, as one operation: the same items with the same shapes, the same next
-  /// id, the same mesh and hashes. So every query gives the same answer, and every later operation has the same result.
-  /// Afterwards, `tick` is the last tick of the history: the later ticks no longer exist.
-  ///
-  /// Only version(), which grows by one, and the spare memory differ from the state at the tick.
+  /// id, the same mesh and hashes. So every query gives the same answer (for Path::expansions of a query with a radius,
+  /// this is not certain), and every later operation has the same result. Afterwards, `tick` is the last tick of the
+  /// history: the later ticks no longer exist. version() grows by one: for changes_since(), a rewind is an operation.
   /// Errors: no_history; old_tick, if the history no longer has the tick; unknown_tick, if no mark has this tick.
   /// Error::index is the tick.
   /// Cost: for each item that has changed since the tick, at most one removal and one insertion, however often it has
@@ -228,9 +227,9 @@ class WAYWRIGHT_API World {
     return attempt(std::span<const Change>(std::data(changes), changes.size()), std::forward<Question>(question));
   }
 
-  /// Returns whether changes would enclose an agent. The result is true in two cases: the agent can move from one of
-  /// the points to another now, but not after the changes; or one of the points is not blocked now, but is blocked
-  /// after the changes. The function makes no change. It is exact and moves no point.
+  /// Returns whether changes would disconnect some of the points. This is true in two cases: the agent can move from
+  /// one of the points to another now, but not after the changes; or one of the points is not blocked now, but is
+  /// blocked after the changes. The function makes no change. It is exact and moves no point.
   ///
   /// With the radius 0, a point is blocked if polygons cover all triangles around it. A point agent can move from one
   /// point to another if find_path() finds a path with the PathQuery::end_tolerance 0. With a radius above 0, a point
@@ -243,7 +242,7 @@ class WAYWRIGHT_API World {
   /// Cost: the cost of attempt() and the location of each point, twice. With a radius above 0, also the gaps that the
   /// disc can pass, for each area in which a point lies.
   [[nodiscard]] Result<bool> would_disconnect(std::span<const Change> changes, PointSpan points, double radius = 0.0);
-  /// Returns whether the insertion of one shape would enclose an agent, as would_disconnect() does for changes.
+  /// Returns whether the insertion of one shape would disconnect some of the points, as this function does for changes.
   [[nodiscard]] Result<bool> would_disconnect(const Shape& shape, PointSpan points, double radius = 0.0);
 
   /// @}
@@ -311,8 +310,8 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<void> shape(ItemId id, Shape& shape) const;
 
   /// Returns all live items, ascending by id, with shapes as shape() gives them. If you insert them with insert_all()
-  /// into a new world over the same domain, the two worlds have the same mesh and give the same answers. Only the ids
-  /// that they choose for later items can differ: see reserve_ids().
+  /// into a new world over the same domain, the two worlds have the same mesh and give the same answers, except perhaps
+  /// Path::expansions of a query with a radius. The ids of later items can differ: see reserve_ids().
   /// Cost: O(n log n), and linear in the points of the items.
   [[nodiscard]] std::vector<Item> items() const;
   /// @copydoc items() const
@@ -452,8 +451,8 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<Path> find_path(const PathQuery& query) const;
 
   /// Finds a path for each query, in the order of the queries. Each path is the path that find_path() gives, at the
-  /// same cost. The function uses as many threads as there are contexts: threads of the job system or, if `jobs` is
-  /// null, threads that the library starts. Error::index is the index of the refused query in `queries`.
+  /// same cost. The function uses up to 256 threads, at most one for each context and each query, of the job system or,
+  /// if `jobs` is null, threads that it starts. Error::index is the index of the refused query in `queries`.
   /// Requires: at least one context.
   /// Errors: the errors of find_path().
   [[nodiscard]] Result<void> find_paths(std::span<const PathQuery> queries, std::span<QueryContext> contexts,

@@ -195,16 +195,18 @@ CellEdge NearWalls::cell_at_vertex(const Triangulation& triangulation, const Bri
   const auto orientation = [&](Vertex to) {
     return geometry.orientation(geometry.view(number(v)), geometry.view(number(to)), exact::Geometry::view(point));
   };
-  const auto has_point = [&](HalfEdge h) {
+  // Whether the direction from the vertex to the point leads into the face of `h`, or along this half-edge.
+  const auto leads_to_point = [&](HalfEdge h) {
     return !triangulation.triangulation().is_ghost_face(h) && orientation(mesh.target(h)) != Sign::negative &&
            orientation(mesh.apex(h)) == Sign::negative;
   };
   HalfEdge corner = mesh.outgoing(v);
-  while (!has_point(corner)) corner = mesh.next_around(corner);
+  while (!leads_to_point(corner)) corner = mesh.next_around(corner);
   if (const std::uint32_t foot = bridges.foot_at(corner); foot != Bridges::kNone) {
     const WallLine line = wall_line(triangulation, bridges.foot(foot).wall);
-    const bool is_clockwise = exact::dot(geometry.rounded(number(v)), point, line.from, line.to) == Sign::negative;
-    if (!is_clockwise) return {CellEdge::Kind::foot_down, corner, foot};
+    const bool is_clockwise_of_bridge =
+        exact::dot(geometry.rounded(number(v)), point, line.from, line.to) == Sign::negative;
+    if (!is_clockwise_of_bridge) return {CellEdge::Kind::foot_down, corner, foot};
   }
   return Cells(triangulation, bridges).first_clockwise(corner);
 }

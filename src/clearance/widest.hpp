@@ -52,7 +52,9 @@ class WidestSearch {
     std::uint32_t stamp;         ///< marks the gates of the cells that this search has entered
     std::optional<Gate> level;   ///< nothing as long as the search has crossed no gate
     std::vector<OpenGate> open;  ///< a heap; the gate nearest to the target comes first
-    std::vector<Gate> shorter;   ///< a heap of gates that are shorter than the level; the longest comes first
+    /// A heap of the gates that are shorter than the level or, as long as there is no level, of all gates that the
+    /// search has seen. The longest comes first.
+    std::vector<Gate> shorter;
   };
 
   static void begin(const Cells& cells, Search& search, const CellEdge& target, std::uint32_t stamp);

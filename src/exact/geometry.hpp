@@ -63,7 +63,8 @@ class Geometry {
   /// Sets the position of `vertex` to the crossing of the lines through (a, b) and (c, d). Requires: these four
   /// vertices are explicit, and `vertex` is not constructed.
   void set_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
-  /// Removes the position of `vertex`, so that its two lines have one use less.
+  /// Makes a constructed vertex explicit, before the mesh frees it: its two lines then have one use less. Does nothing
+  /// if the vertex is explicit.
   void clear(std::uint32_t vertex);
 
   /// Empties the undo log.

@@ -25,12 +25,12 @@ struct LoadedPoints {
   ItemId first;             ///< the id of the first point
   std::vector<ItemId> ids;  ///< empty as long as the ids count up
 
-  /// Adds the ids of the next `size` points, which count up from `run`.
-  void add_ids(ItemId run, std::uint64_t size) {
-    if (points.empty()) first = run;
-    if (ids.empty() && run.value == first.value + points.size()) return;
+  /// Adds the ids of the next `size` points, which count up from `first_id`.
+  void add_ids(ItemId first_id, std::uint64_t size) {
+    if (points.empty()) first = first_id;
+    if (ids.empty() && first_id.value == first.value + points.size()) return;
     while (ids.size() < points.size()) ids.push_back({first.value + ids.size()});
-    for (std::uint64_t i = 0; i < size; ++i) ids.push_back({run.value + i});
+    for (std::uint64_t i = 0; i < size; ++i) ids.push_back({first_id.value + i});
   }
   [[nodiscard]] ItemId id(std::size_t i) const { return ids.empty() ? ItemId{first.value + i} : ids[i]; }
   [[nodiscard]] std::optional<Error> insert_into(World& world, const BulkOptions& options) const {
@@ -139,7 +139,7 @@ class WorldReader {
   static constexpr std::size_t kPointSize = 16;
 
   std::istream& in_;
-  std::uint64_t offset_ = 0;         ///< the number of bytes that were read, without those in `buffer_`
+  std::uint64_t offset_ = 0;         ///< the number of bytes that the reader has used
   std::array<char, 4096> buffer_{};  ///< bytes from `used_` to `filled_` were read in advance
   std::size_t used_ = 0;
   std::size_t filled_ = 0;
@@ -271,10 +271,10 @@ bool WorldReader::read_items() {
 
 bool WorldReader::read_run(std::uint64_t remaining) {
   std::uint64_t id_step = 0;
-  std::uint64_t run = 0;
-  if (!read_varint(id_step) || !read_varint(run)) return false;
-  const std::uint64_t size = run >> io::kKindBits;
-  const std::uint64_t kind = run & ((1U << io::kKindBits) - 1);
+  std::uint64_t size_and_kind = 0;
+  if (!read_varint(id_step) || !read_varint(size_and_kind)) return false;
+  const std::uint64_t size = size_and_kind >> io::kKindBits;
+  const std::uint64_t kind = size_and_kind & ((1U << io::kKindBits) - 1);
   if (size < 1 || size > io::kLargestRun) return fail("the number of items of a run is not from 1 to 4096");
   if (size > remaining) return fail("a run has more items than are left");
   if (kind >= io::kSavedKindCount) return fail("an item has an unknown kind");

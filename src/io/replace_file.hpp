@@ -39,7 +39,8 @@ class FileReplacement {
   std::string temporary_;  ///< the name of the temporary file; empty if there is none
   std::FILE* file_ = nullptr;
   int fault_ = 0;
-  bool is_special_ = false;  ///< whether the file exists and is no file that can be replaced, but a device, for example
+  bool is_special_ =
+      false;  ///< whether the name belongs to neither a regular file nor a folder, for example to a device
 };
 
 }  // namespace waywright::io

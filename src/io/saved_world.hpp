@@ -16,7 +16,7 @@ inline constexpr std::uint64_t kSavedWorldVersion = 1;
 inline constexpr std::uint64_t kKeepsAbstraction = 1;
 inline constexpr std::uint64_t kKeepsBridges = 2;
 
-/// The largest number of items of one run.
+/// The largest number of items of one run: a group of items of one kind whose ids count up by 1.
 inline constexpr std::uint64_t kLargestRun = 4096;
 
 /// The largest number of points of one ring, and of rings of one item: a world accepts no more.

@@ -24,9 +24,9 @@ namespace waywright::locate {
 ///
 /// The number of sectors grows with the number of vertices, so on evenly distributed vertices a walk is short in a
 /// world of any size. These sectors are equal squares, the *whole sectors*. If a sector contains many vertices, an
-/// operation divides it into four quarters, and may later divide these again. So walks are short on
-/// unevenly distributed vertices, too. If a sector is as small as a square of the curve, it gets a finer curve of its
-/// own (a *zoom*). The division depends on the history of the world, but the result of a search does not.
+/// operation divides it into four quarters, and may later divide these again. So walks are short on unevenly
+/// distributed vertices, too. If a sector is as small as a square of the curve's grid (see Curve), it gets a finer
+/// curve of its own (a *zoom*). The division depends on the history of the world, but the result of a search does not.
 ///
 /// Source: Chen 2009, section 3.2.1 (sector-based location). Differences: only operations write to the sectors, queries
 /// do not; and the number of sectors is not constant.
@@ -109,8 +109,8 @@ class Sectors {
   static constexpr std::uint32_t kNoZoom = 0xffffffff;
   static constexpr std::uint32_t kMaxDepth = 12;  ///< of a zoom: see Zoom::depth
 
-  /// The curve of a sector that is as small as a square of the curve, and the index of the first of the sector's four
-  /// quarters. The width of its squares is 2^-32 of the width of the sector.
+  /// The curve of a sector that is as small as a square of the grid, and the index of the first of the sector's four
+  /// quarters. The width of the squares of this curve's grid is 2^-32 of the width of the sector.
   struct Zoom {
     Curve curve;
     std::uint32_t first;

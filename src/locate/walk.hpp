@@ -81,9 +81,9 @@ template <class Geometry>
   const auto view = [&](mesh::Vertex v) { return geometry.view(number(v)); };
   Random random(seed);
   const HalfEdge start_edge = mesh::first(start);
-  // In a large world, a walk spends most of its time waiting for memory. The code therefore prefetches the data that
-  // a step may need before it knows the direction of the step: here the position of the third corner, and in every step
-  // the faces beyond the edges.
+  // In a large world, a walk spends most of its time waiting for memory. The code therefore prefetches the data that a
+  // step may need before it knows the direction of the step: here the position of the third vertex of the face, and in
+  // every step the faces beyond the edges.
   mesh.prefetch(mesh.twin(start_edge));
   if constexpr (requires { geometry.prefetch(0U); }) geometry.prefetch(number(mesh.apex(start_edge)));
   View p = view(mesh.origin(start_edge));

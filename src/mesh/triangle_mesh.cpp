@@ -113,7 +113,7 @@ void TriangleMesh::save(Face f) {
   const auto half_edges = half_edges_.begin() + static_cast<std::ptrdiff_t>(number(a));
   if (((half_edges[0].twin | half_edges[1].twin | half_edges[2].twin) & kFixed) != 0) [[unlikely]] {
     for (const HalfEdge h : {a, next(a), previous(a)}) {
-      if (is_fixed(h)) log(EditKind::rebuild_label, number(h), labels_[number(h)]);
+      if (is_fixed(h)) log(EditKind::save_label, number(h), labels_[number(h)]);
     }
   }
   saved_faces_.push_back({half_edges[0], half_edges[1], half_edges[2]});

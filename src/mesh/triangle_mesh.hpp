@@ -36,7 +36,7 @@ using Label = std::uint32_t;
 class TriangleMesh {
  public:
   /// What an edit since begin() did to a face or vertex. A face or vertex that several edits touched is listed several
-  /// times, in the order of the edits.
+  /// times, in the order of the edits. A freed face may be listed as rebuilt before.
   enum class Touch : std::uint8_t {
     made,
     rebuilt,  ///< its vertices or neighbours have changed, or one of its edges became fixed or free
@@ -195,7 +195,7 @@ class TriangleMesh {
           break;
         case EditKind::add_vertex:
         case EditKind::free_vertex:
-        case EditKind::rebuild_label:
+        case EditKind::save_label:
           break;
       }
     });
@@ -247,14 +247,14 @@ class TriangleMesh {
     set_label_of_twin,  ///< the entry of a set_label for the face of the twin; it saves no label
     relabel,            ///< set_label for an edge that was fixed and stays fixed
     relabel_twin,       ///< as set_label_of_twin, but for a relabel
-    rebuild_label,
+    save_label,         ///< saves the label of a fixed edge of a face that the operation is about to rebuild or free
   };
   /// The record of an edit: an elementary change of the mesh. `index` is the number of the vertex, face or half-edge
   /// that has changed.
   struct Undo {
     EditKind kind;
     std::uint32_t index;
-    /// For set_label, relabel and rebuild_label: the old label. For rebuild_face: the index in `saved_faces_`. For
+    /// For set_label, relabel and save_label: the old label. For rebuild_face: the index in `saved_faces_`. For
     /// split_edge and flip: the twin of `index`.
     std::uint32_t saved;
   };

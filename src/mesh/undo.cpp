@@ -48,7 +48,7 @@ void TriangleMesh::undo(const Undo& edit) {
     case EditKind::set_label_of_twin:
     case EditKind::relabel_twin:
       break;
-    case EditKind::rebuild_label:
+    case EditKind::save_label:
       labels_[edit.index] = edit.saved;
       break;
   }

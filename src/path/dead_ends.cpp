@@ -21,7 +21,7 @@ bool DeadEnds::is_before_tree(mesh::HalfEdge exit) const {
   return goals_below(mesh::face(mesh_->twin(exit))) == 0;
 }
 
-unsigned DeadEnds::find_passages(mesh::Face f) const {
+unsigned DeadEnds::find_edges_towards_goal(mesh::Face f) const {
   unsigned passages = 0;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const mesh::HalfEdge exit = mesh::half_edge(f, i);

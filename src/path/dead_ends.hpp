@@ -25,13 +25,13 @@ class DeadEnds {
   }
   /// Returns the edges of a face across which a path to a goal may lead: no walls, and no edges into a dead end without
   /// a goal. The result has one bit for each half-edge of the face.
-  [[nodiscard]] unsigned passages(mesh::Face f) const {
-    if (core_ != nullptr && goals_below_[number(f)].query == stamp_.value()) return find_passages(f);
-    return passages_without_goal(f);
+  [[nodiscard]] unsigned edges_towards_goal(mesh::Face f) const {
+    if (core_ != nullptr && goals_below_[number(f)].query == stamp_.value()) return find_edges_towards_goal(f);
+    return edges_towards_core(f);
   }
-  /// Returns passages(f). Requires: the face is none of those that for_each_above_goal() visits.
-  [[nodiscard]] unsigned passages_without_goal(mesh::Face f) const {
-    if (core_ == nullptr) return find_passages(f);
+  /// Returns edges_towards_goal(f). Requires: the face is none of those that for_each_above_goal() visits.
+  [[nodiscard]] unsigned edges_towards_core(mesh::Face f) const {
+    if (core_ == nullptr) return find_edges_towards_goal(f);
     if (core_->is_core(f)) return core_->passages(f);
     const mesh::HalfEdge up = core_->towards_core(f);
     return up == mesh::kNoHalfEdge ? 0 : 1U << mesh::index_in(f, up);
@@ -59,7 +59,7 @@ class DeadEnds {
   /// Returns whether only a dead end without a goal lies beyond the edge. Requires: there is a core, the edge is no
   /// wall, and it does not lead from one face of the core to another.
   [[nodiscard]] bool is_before_tree(mesh::HalfEdge exit) const;
-  [[nodiscard]] unsigned find_passages(mesh::Face f) const;
+  [[nodiscard]] unsigned find_edges_towards_goal(mesh::Face f) const;
 
   /// How many goal faces lie in the subtree of a face, including the face itself. The subtree of a face of the core
   /// consists of the dead ends that hang on it.

@@ -57,7 +57,7 @@ void DiscChannel::leave_start(const locate::Located& location) {
     for (const HalfEdge h : {first, mesh::next(first), mesh::previous(first)}) {
       const Point left = map_->position(mesh.target(h));
       const Point right = map_->position(mesh.origin(h));
-      const bool leads_on = is_passage(ends_->dead_ends().passages(mesh::face(h)), mesh::face(h), h);
+      const bool leads_on = contains(ends_->dead_ends().edges_towards_goal(mesh::face(h)), mesh::face(h), h);
       if ((h == first && is_on_edge) || !leads_on || !can_cross(h, squared_length(left - right))) continue;
       follow({h, left, right, {ends_->start(), left, right}}, ChannelNode::kNone);
     }
@@ -153,12 +153,12 @@ void DiscChannel::follow(Channel channel, std::uint32_t before) {
     const HalfEdge left_exit = mesh::half_edge(f, kPrevious[i]);
     const HalfEdge right_exit = mesh::half_edge(f, kNext[i]);
     const Point apex = map_->position(mesh.origin(left_exit));
-    const unsigned passages = is_above_goal ? dead_ends.passages(f) : dead_ends.passages_without_goal(f);
+    const unsigned edges = is_above_goal ? dead_ends.edges_towards_goal(f) : dead_ends.edges_towards_core(f);
     unsigned exits = 0;
-    if ((passages >> kPrevious[i] & 1U) != 0 && is_open(left_exit, squared_length(apex - channel.left), entry)) {
+    if ((edges >> kPrevious[i] & 1U) != 0 && is_open(left_exit, squared_length(apex - channel.left), entry)) {
       exits |= kLeft;
     }
-    if ((passages >> kNext[i] & 1U) != 0 && is_open(right_exit, squared_length(apex - channel.right), right_exit)) {
+    if ((edges >> kNext[i] & 1U) != 0 && is_open(right_exit, squared_length(apex - channel.right), right_exit)) {
       exits |= kRight;
     }
     const bool has_choice = exits == (kLeft | kRight) || (is_above_goal && ends_->is_goal_face(f));

@@ -57,7 +57,7 @@ class DiscChannel {
   };
   struct Node {
     ChannelNode channel;
-    unsigned exits;  ///< how the channel can leave the face: kLeft, kRight or both
+    unsigned exits;  ///< where the channel can leave the face: kLeft, kRight, both or, in a goal face, perhaps 0
   };
 
   void restart();
@@ -74,12 +74,14 @@ class DiscChannel {
   [[nodiscard]] bool can_cross(mesh::HalfEdge exit, double squared) const {
     return squared > map_->surely_long || (squared >= map_->surely_short && !map_->is_closed(exit));
   }
-  /// Returns whether `exit` is one of the passages of its face `f`, which DeadEnds::passages() returns.
-  [[nodiscard]] static bool is_passage(unsigned passages, mesh::Face f, mesh::HalfEdge exit) {
-    return (passages >> (number(exit) - 3 * number(f)) & 1U) != 0;
+  /// Returns whether `edges`, a result of DeadEnds::edges_towards_goal() for the face `f`, contains the edge `exit` of
+  /// this face.
+  [[nodiscard]] static bool contains(unsigned edges, mesh::Face f, mesh::HalfEdge exit) {
+    return (edges >> (number(exit) - 3 * number(f)) & 1U) != 0;
   }
-  /// Returns whether the channel can leave a face across the passage `exit`. `squared` is the squared length of this
-  /// edge. Only a foot bridge that starts at the origin of `corner` can separate this edge from the edge of entry.
+  /// Returns whether the channel can leave a face across the edge `exit`, which is no wall. `squared` is the squared
+  /// length of this edge. Only a foot bridge that starts at the origin of `corner` can separate this edge from the edge
+  /// of entry.
   [[nodiscard]] bool is_open(mesh::HalfEdge exit, double squared, mesh::HalfEdge corner) {
     if (squared > map_->surely_long && map_->bridges.foot_at(corner) == clearance::Bridges::kNone) return true;
     return squared >= map_->surely_short && decide_is_open(exit, squared, corner);

@@ -102,7 +102,7 @@ std::optional<PathStatus> Ends::find_status_without_search(const Point& goal) {
 /// face around it and still lie strictly inside no polygon: then it lies on the boundaries of the polygons that cover
 /// its surroundings, and the status is no_path, unless the two ends are equal.
 std::optional<PathStatus> Ends::known_status() {
-  std::swap(tried_, crossed_);
+  std::swap(crossed_before_stop_, crossed_);
   crossed_.clear();
   const bool is_start_blocked =
       start_faces_.empty() && cover_finder_.is_strictly_inside(*triangulation_, start_location_);

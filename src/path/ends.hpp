@@ -31,9 +31,10 @@ class Ends {
   /// Moves the start if it is blocked. Call it before the first goal in a query with many goals, so that all paths
   /// begin at the same point.
   void move_blocked_start();
-  /// Locates the goal. Returns the status of the path if no search is necessary, for example because the straight line
-  /// is clear, because an end is blocked, or because the abstraction says that the ends are not connected. Otherwise
-  /// returns nothing. Requires: the goal lies in the domain.
+  /// Tests the straight line to the goal and, if it is not clear, locates the goal. Returns the status of the path if
+  /// no search is necessary, for example because the straight line is clear, because an end is blocked, or because the
+  /// abstraction says that the ends are not connected. Otherwise returns nothing. Requires: the goal lies in the
+  /// domain.
   std::optional<PathStatus> find_status_without_search(const Point& goal);
 
   /// Writes to `path` which ends were moved and, if `status` says that an end is blocked, which polygons block it.
@@ -60,12 +61,12 @@ class Ends {
     }
     return false;
   }
-  /// The edges that the straight path crosses, as half-edges of the faces that it leaves. Requires: the straight path
+  /// The edges that the straight line crosses, as half-edges of the faces that it leaves. Requires: the straight line
   /// is clear.
   [[nodiscard]] const std::vector<mesh::HalfEdge>& crossed() const { return crossed_; }
-  /// The edges that the straight line crosses before it meets a wall or a vertex. Requires: the straight path is not
-  /// clear.
-  [[nodiscard]] const std::vector<mesh::HalfEdge>& tried() const { return tried_; }
+  /// The edges that the straight line crosses before the wall or the vertex that stops it. Requires: the straight line
+  /// is not clear.
+  [[nodiscard]] const std::vector<mesh::HalfEdge>& crossed_before_stop() const { return crossed_before_stop_; }
   [[nodiscard]] bool has_moved() const { return moved_start_ || moved_goal_; }
 
  private:
@@ -105,7 +106,7 @@ class Ends {
   std::vector<mesh::HalfEdge> start_faces_;
   std::vector<mesh::HalfEdge> goal_faces_;
   std::vector<mesh::HalfEdge> crossed_;
-  std::vector<mesh::HalfEdge> tried_;
+  std::vector<mesh::HalfEdge> crossed_before_stop_;
   nav::ComponentCoverFinder cover_finder_;
   FreePositions free_positions_;
 };

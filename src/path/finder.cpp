@@ -56,7 +56,7 @@ void Finder::look_at_ends() {
   if (is_done_ || ends_.has_moved() || query_.algorithm == PathAlgorithm::tra) return looked_at_->look_at_all();
   for (const mesh::HalfEdge h : ends_.start_faces()) looked_at_->look(mesh::face(h));
   for (const mesh::HalfEdge h : ends_.goal_faces()) looked_at_->look(mesh::face(h));
-  for (const mesh::HalfEdge h : ends_.tried()) {
+  for (const mesh::HalfEdge h : ends_.crossed_before_stop()) {
     looked_at_->look(mesh::face(h));
     looked_at_->look(mesh::face(triangulation_->topology().twin(h)));
   }

@@ -58,24 +58,23 @@ double TaStar::lower_bound() const {
 void TaStar::leave_start_face(mesh::HalfEdge h) {
   for (const mesh::HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
     if (!nav::PointAgent::can_cross(*mesh_, exit)) continue;
-    const std::uint32_t left = tree_.add_seen(mesh_->target(exit));
-    const std::uint32_t right = tree_.add_seen(mesh_->origin(exit));
+    const std::uint32_t left = tree_.add_visible_from_start(mesh_->target(exit));
+    const std::uint32_t right = tree_.add_visible_from_start(mesh_->origin(exit));
     open(exit, kNone, {TautTree::kStart, left, right});
   }
 }
 
 //          c             The channel has entered the face across `entry`, from below: the left end is the edge's
-//        /   \           origin, the right end its target. If the channel leaves across target - c, c becomes the left
-//      /       \         end of the portal. If it leaves across c - origin, c becomes the right end.
-//  origin --> target
+//        /   \           origin, the right end its target. If the channel leaves across the edge from the target to c,
+//      /       \         then c becomes the left end of the portal. If it leaves across the edge from c to the origin,
+//  origin --> target     then c becomes the right end.
 void TaStar::leave(std::uint32_t index) {
   const Node node = nodes_[index];
   const mesh::Vertex apex = mesh_->apex(node.entry);
-  const mesh::HalfEdge beyond_target = mesh::next(node.entry);
-  const mesh::HalfEdge beyond_origin = mesh::previous(node.entry);
-  if (nav::PointAgent::can_cross(*mesh_, beyond_target)) open(beyond_target, index, tree_.move_left(node.funnel, apex));
-  if (nav::PointAgent::can_cross(*mesh_, beyond_origin))
-    open(beyond_origin, index, tree_.move_right(node.funnel, apex));
+  const mesh::HalfEdge right_exit = mesh::next(node.entry);
+  const mesh::HalfEdge left_exit = mesh::previous(node.entry);
+  if (nav::PointAgent::can_cross(*mesh_, right_exit)) open(right_exit, index, tree_.move_left(node.funnel, apex));
+  if (nav::PointAgent::can_cross(*mesh_, left_exit)) open(left_exit, index, tree_.move_right(node.funnel, apex));
 }
 
 void TaStar::open(mesh::HalfEdge exit, std::uint32_t before, const Funnel& funnel) {

@@ -55,8 +55,9 @@ class TaStar {
   };
 
   void clear_entries();
-  /// Opens a node for each face adjacent to a start face, or to the face of a node.
+  /// Opens a node for each passage of the start face of `h`.
   void leave_start_face(mesh::HalfEdge h);
+  /// Opens a node for each passage of the node's face, except the edge of entry.
   void leave(std::uint32_t index);
   void open(mesh::HalfEdge exit, std::uint32_t before, const Funnel& funnel);
   /// Ends the node's string at the goal. Returns whether this is the best path so far.

@@ -56,7 +56,7 @@ std::uint32_t TautTree::add(mesh::Vertex v, std::uint32_t parent) {
   return static_cast<std::uint32_t>(nodes_.size() - 1);
 }
 
-std::uint32_t TautTree::add_seen(mesh::Vertex v) {
+std::uint32_t TautTree::add_visible_from_start(mesh::Vertex v) {
   return is_at_start(*geometry_, nodes_[kStart].position, v) ? kStart : add(v, kStart);
 }
 

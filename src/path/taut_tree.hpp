@@ -28,7 +28,7 @@ class TautTree {
   void reset(const Geometry& geometry, const Point& start);
 
   /// Returns the node of a vertex that is visible from the start. If the vertex lies at the start, this is the root.
-  [[nodiscard]] std::uint32_t add_seen(mesh::Vertex v);
+  [[nodiscard]] std::uint32_t add_visible_from_start(mesh::Vertex v);
   /// Returns the funnel after the left (or right) end of the portal has moved to `v`.
   [[nodiscard]] Funnel move_left(const Funnel& funnel, mesh::Vertex v);
   [[nodiscard]] Funnel move_right(const Funnel& funnel, mesh::Vertex v);

@@ -19,7 +19,8 @@ namespace waywright {
 /// item had before the change. The mesh depends only on the live items, so the history records nothing about the mesh.
 ///
 /// An operation calls begin(), records each change before it makes it, and calls commit(). If the operation fails, it
-/// does not call commit(), and the next call of another function drops the changes that the operation has recorded.
+/// does not call commit(). Then the next call of begin(), mark(), keep() or changed_since() deletes the records of this
+/// operation.
 class History {
  public:
   using Tick = std::uint64_t;

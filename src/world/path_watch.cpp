@@ -145,8 +145,8 @@ Ellipse ellipse_of(const Path& path) {
   return ellipse;
 }
 
-/// The lists of an answer, empty at first. While an update fills them, they contain slots instead of keys. If memory
-/// runs out, the destructor empties them again.
+/// The lists of an answer, empty at first. During an update, `blocked` and `may_be_blocked` contain slots. At the end,
+/// the update replaces the slots by keys. If memory runs out, the destructor empties them again.
 class Answer {
  public:
   explicit Answer(PathChanges& changes) : changes_(changes) { clear(); }
@@ -248,8 +248,8 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   [[nodiscard]] bool crosses_wall(const Box& around, Diagonal diagonal) const;
   [[nodiscard]] bool may_lose_crossing(const ChangedBox& changed, Boxes boxes) const;
   [[nodiscard]] static bool turns_in(const Watched& path, const Box& box);
-  [[nodiscard]] static bool touches(const Watched& path, std::uint32_t segment, const Box& box);
-  [[nodiscard]] bool can_decide_by_pieces(std::uint32_t slot, Boxes boxes) const;
+  [[nodiscard]] static bool touches(const Watched& path, std::uint32_t piece, const Box& box);
+  [[nodiscard]] bool can_decide_by_stretches(std::uint32_t slot, Boxes boxes) const;
   [[nodiscard]] bool is_clear(std::uint32_t slot, const World& world, Boxes boxes);
   void check_box(const ChangedBox& changed, const World& world, Boxes boxes, PathChanges& changes);
   void check_all(const World& world, PathChanges& changes);
@@ -372,10 +372,11 @@ bool PathWatch::Impl::crosses_wall(const Box& around, Diagonal diagonal) const {
                      [&](const auto& wall) { return surely_cross(ends[0], ends[1], wall[0], wall[1], slack); });
 }
 
-/// Returns whether PolylineWalk::find_stretch_state() can decide about the stretches of a path that the boxes touch. It
-/// cannot decide if the path was blocked, or if an operation has removed an item where the path turns: the turn may
-/// have been at a crossing that no longer exists. If there are many boxes, the result is false, too.
-bool PathWatch::Impl::can_decide_by_pieces(std::uint32_t slot, Boxes boxes) const {
+/// Returns whether PolylineWalk::find_stretch_state() can decide about the stretches of a path that the boxes touch. A
+/// *stretch* is one straight line of the path, or several that follow each other. The function cannot decide if the
+/// path was blocked, or if an operation has removed an item where the path turns: the turn may have been at a crossing
+/// that no longer exists. If there are many boxes, the result is false, too.
+bool PathWatch::Impl::can_decide_by_stretches(std::uint32_t slot, Boxes boxes) const {
   constexpr std::size_t kMostBoxes = 8;
   const Watched& path = watched[slot];
   if (states[slot].is_blocked || path.points.size() < 2 || boxes.empty() || boxes.size() > kMostBoxes) return false;
@@ -399,10 +400,10 @@ bool PathWatch::Impl::turns_in(const Watched& path, const Box& box) {
                      [&](const Point& p) { return box.expanded(slack_of(p, p)).contains(p); });
 }
 
-/// Returns whether a segment of the path may touch the box.
-bool PathWatch::Impl::touches(const Watched& path, std::uint32_t segment, const Box& box) {
+/// Returns whether a piece of the path may touch the box.
+bool PathWatch::Impl::touches(const Watched& path, std::uint32_t piece, const Box& box) {
   const std::span<const Point> points = path.points;
-  return path::may_touch(points.subspan(segment, std::min<std::size_t>(points.size(), 2)), box);
+  return path::may_touch(points.subspan(piece, std::min<std::size_t>(points.size(), 2)), box);
 }
 
 /// Returns whether the path is clear. If it was clear before, it is enough to look at the stretches that a box touches.
@@ -415,7 +416,7 @@ bool PathWatch::Impl::is_clear(std::uint32_t slot, const World& world, Boxes box
     const auto touches = [&](const ChangedBox& box) { return path::may_touch(points.subspan(i, 2), box.box); };
     return std::any_of(boxes.begin(), boxes.end(), touches);
   };
-  bool is_sure = can_decide_by_pieces(slot, boxes);
+  bool is_sure = can_decide_by_stretches(slot, boxes);
   for (std::size_t first = 0; is_sure && first + 1 < points.size(); ++first) {
     if (!is_touched(first)) continue;
     std::size_t last = first + 1;

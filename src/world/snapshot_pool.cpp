@@ -8,18 +8,18 @@ namespace waywright {
 
 namespace detail {
 
-bool Replica::add_reader_to_others() {
-  std::size_t readers = readers_.load(std::memory_order_relaxed);
-  while (readers != 0) {
-    if (readers_.compare_exchange_weak(readers, readers + 1, std::memory_order_relaxed)) return true;
+bool Replica::add_handle_if_any() {
+  std::size_t handles = handles_.load(std::memory_order_relaxed);
+  while (handles != 0) {
+    if (handles_.compare_exchange_weak(handles, handles + 1, std::memory_order_relaxed)) return true;
   }
   return false;
 }
 
-// Each reader subtracts with release order, and the last reader with acquire order. So all queries of the readers
-// happen before the changes for the next snapshot.
-void Replica::remove_reader() noexcept {
-  if (readers_.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
+// Each handle subtracts with release order, and the last one with acquire order. So all queries of the readers happen
+// before the changes for the next snapshot.
+void Replica::remove_handle() noexcept {
+  if (handles_.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
   if (Replica* const other = std::exchange(released_later_, nullptr)) other->release();
   release();
 }

@@ -18,12 +18,12 @@ namespace waywright {
 
 namespace detail {
 
-/// A copy of a world, which snapshots hand out to readers. It has up to two owners: the pool of the world, and all its
-/// readers together. The last owner frees it. If the readers do not own it, nobody reads the copy, and only the pool
-/// can give it to new readers. So the thread that changes the world may then change the copy.
+/// A copy of a world, to which snapshots refer. It has up to two owners: the pool of the world, and all its handles
+/// (WorldSnapshot) together. The last owner frees it. If no handle owns it, nobody reads the copy, and only the pool
+/// can make new handles. So the thread that changes the world may then change the copy.
 ///
-/// Threads: readers may call add_reader() and remove_reader() at any time. The other functions belong to the thread
-/// that changes the world.
+/// Threads: threads with a handle may call add_handle() and remove_handle() at any time. The other functions belong to
+/// the thread that changes the world.
 class Replica {
  public:
   /// Makes a replica that only the pool owns.
@@ -31,20 +31,21 @@ class Replica {
 
   /// Returns whether this replica is free: no snapshot refers to it, and the pool owns it.
   [[nodiscard]] bool is_free() const { return owners_.load(std::memory_order_acquire) == 1; }
-  /// Adds the first reader. Requires: is_free().
-  void add_first_reader() {
-    readers_.store(1, std::memory_order_relaxed);
+  /// Adds the first handle. Requires: is_free().
+  void add_first_handle() {
+    handles_.store(1, std::memory_order_relaxed);
     owners_.store(2, std::memory_order_relaxed);
   }
-  /// Adds a reader if there is at least one. Returns whether it did.
-  [[nodiscard]] bool add_reader_to_others();
-  /// Adds a reader. Requires: the calling thread is a reader.
-  void add_reader() { readers_.fetch_add(1, std::memory_order_relaxed); }
-  void remove_reader() noexcept;
-  /// Ends the ownership of one of the two owners: the pool calls it, and remove_reader() calls it for the last reader.
+  /// Adds a handle if there is at least one. Returns whether it did.
+  [[nodiscard]] bool add_handle_if_any();
+  /// Adds a handle. Requires: the calling thread has a handle of this replica.
+  void add_handle() { handles_.fetch_add(1, std::memory_order_relaxed); }
+  void remove_handle() noexcept;
+  /// Ends the ownership of one of the two owners: the pool calls it, and remove_handle() calls it for the last handle.
   /// If the other owner has called it before, frees this replica.
   void release() noexcept;
-  /// Makes the last reader of this replica call release() on `replica`, too. Requires: nobody reads this replica yet.
+  /// Makes remove_handle() of the last handle of this replica call release() on `replica`, too. Requires: this replica
+  /// has no handle yet.
   void release_later(Replica* replica) { released_later_ = replica; }
 
   World world;
@@ -52,7 +53,7 @@ class Replica {
  private:
   ~Replica() = default;
 
-  std::atomic<std::size_t> readers_ = 0;
+  std::atomic<std::size_t> handles_ = 0;
   std::atomic<std::uint32_t> owners_ = 1;
   Replica* released_later_ = nullptr;
 };

@@ -79,7 +79,7 @@ WorldSnapshot World::publish() {
   const bool is_same = replica != nullptr && replica->world.version() == version() &&
                        replica->world.largest_id_seen() == largest_id_seen() &&
                        replica->world.new_vertex_limit() == new_vertex_limit();
-  if (is_same && replica->add_reader_to_others()) return WorldSnapshot(replica);
+  if (is_same && replica->add_handle_if_any()) return WorldSnapshot(replica);
   replica = pool.find_free();
   if (replica != nullptr && !replica->world.impl_->follow(*impl_, pool.changed(), pool.scratch())) {
     pool.drop(replica);
@@ -91,12 +91,12 @@ WorldSnapshot World::publish() {
     replica = pool.add(std::move(copy));
   }
   pool.hand_out(replica);
-  replica->add_first_reader();
+  replica->add_first_handle();
   return WorldSnapshot(replica);
 }
 
 WorldSnapshot::WorldSnapshot(const WorldSnapshot& other) noexcept : replica_(other.replica_) {
-  if (replica_ != nullptr) replica_->add_reader();
+  if (replica_ != nullptr) replica_->add_handle();
 }
 
 WorldSnapshot& WorldSnapshot::operator=(const WorldSnapshot& other) noexcept { return *this = WorldSnapshot(other); }
@@ -109,7 +109,7 @@ WorldSnapshot& WorldSnapshot::operator=(WorldSnapshot&& other) noexcept {
 }
 
 void WorldSnapshot::release() noexcept {
-  if (replica_ != nullptr) std::exchange(replica_, nullptr)->remove_reader();
+  if (replica_ != nullptr) std::exchange(replica_, nullptr)->remove_handle();
 }
 
 const World& WorldSnapshot::operator*() const {

@@ -16,7 +16,7 @@
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
 
-// The functions that find out which points a change disconnects.
+// The functions that find out whether changes disconnect points.
 
 namespace waywright {
 

@@ -167,7 +167,8 @@ TEST_F(TautStrings, AreTheShortestPathsThroughTheirChannels) {
       const Vertex left = mesh.target(channel.exits[0]), right = mesh.origin(channel.exits[0]);
       string.begin(triangulation.geometry(), channel.start, left, right, channel.exits.size());
       tree.reset(triangulation.geometry(), channel.start);
-      path::Funnel funnel{path::TautTree::kStart, tree.add_seen(left), tree.add_seen(right)};
+      path::Funnel funnel{path::TautTree::kStart, tree.add_visible_from_start(left),
+                          tree.add_visible_from_start(right)};
       for_each_move(
           mesh, channel,
           [&](Vertex v) {
