@@ -33,10 +33,10 @@ using AssertionHandler = void (*)(const AssertionFailure& failure);
 /// messages of the library to its own log. Bad data is not a broken precondition: for bad data, a function returns a
 /// Result with an Error.
 ///
-/// The library also checks preconditions in release builds, if the check costs no more than a comparison. Here are
-/// examples of broken preconditions: a program takes the value of a Result with an error; it uses an object that has
-/// been moved from; it asks for 0 threads or 0 contexts; it asks for the centroid of a shape without points. The
-/// documentation of each function names its preconditions ("Requires").
+/// The library also checks preconditions in release builds, but only those whose check costs no more than a comparison.
+/// Here are examples of broken preconditions: a program takes the value of a Result with an error; it uses an object
+/// that has been moved from; it asks for 0 threads or 0 contexts; it asks for the centroid of a shape without points.
+/// The documentation of each function names its preconditions ("Requires").
 /// Threads: any thread may call this function at any time.
 WAYWRIGHT_API AssertionHandler set_assertion_handler(AssertionHandler handler) noexcept;
 
