@@ -20,8 +20,9 @@ inline constexpr int kTurnLeft = 1;
 inline constexpr int kTurnRight = -1;
 inline constexpr int kNoTurn = 0;
 
-/// A circle that a path touches. If the path turns left around it, the circle's centre is on the left of the path. If a
-/// path starts or ends at a point, the point counts as a circle of radius 0, and its `turn` is kNoTurn.
+/// A circle around a vertex, which a path touches, and the direction in which the path turns around it. If the path
+/// turns left, the circle's centre is on the left of the path. The struct also stores the start or the goal of a path,
+/// which is no pivot: then the circle has the radius 0, and `turn` is kNoTurn.
 struct Pivot {
   Point centre;
   int turn = kNoTurn;  ///< kTurnLeft, kTurnRight or kNoTurn
