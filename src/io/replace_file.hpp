@@ -39,8 +39,8 @@ class FileReplacement {
   std::string temporary_;  ///< the name of the temporary file; empty if there is none
   std::FILE* file_ = nullptr;
   int fault_ = 0;
-  bool is_special_ =
-      false;  ///< whether the name belongs to neither a regular file nor a folder, for example to a device
+  /// Whether the name belongs to neither a regular file nor a folder, for example to a device.
+  bool is_special_ = false;
 };
 
 }  // namespace waywright::io
