@@ -6,6 +6,7 @@ void DeadEnds::begin(const mesh::TriangleMesh& mesh, const nav::TwoCore* core, s
   mesh_ = &mesh;
   core_ = core;
   goal_count_ = goals.size();
+  bits_above_goals_ = 0;
   if (core == nullptr) return;
   stamp_.next(1, goals_below_);
   goals_below_.grow_to(mesh.face_slots());
@@ -13,12 +14,8 @@ void DeadEnds::begin(const mesh::TriangleMesh& mesh, const nav::TwoCore* core, s
     GoalsBelow& below = goals_below_[number(f)];
     if (below.query != stamp_.value()) below = {stamp_.value(), 0};
     ++below.count;
+    bits_above_goals_ |= bit_of(f);
   });
-}
-
-bool DeadEnds::is_before_tree(mesh::HalfEdge exit) const {
-  if (core_->leads_up(exit)) return goals_below(mesh::face(exit)) == goal_count_;
-  return goals_below(mesh::face(mesh_->twin(exit))) == 0;
 }
 
 unsigned DeadEnds::find_edges_towards_goal(mesh::Face f) const {

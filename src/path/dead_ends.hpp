@@ -58,7 +58,10 @@ class DeadEnds {
  private:
   /// Returns whether only a dead end without a goal lies beyond the edge. Requires: there is a core, the edge is no
   /// wall, and it does not lead from one face of the core to another.
-  [[nodiscard]] bool is_before_tree(mesh::HalfEdge exit) const;
+  [[nodiscard]] bool is_before_tree(mesh::HalfEdge exit) const {
+    if (core_->leads_up(exit)) return goals_below(mesh::face(exit)) == goal_count_;
+    return goals_below(mesh::face(mesh_->twin(exit))) == 0;
+  }
   [[nodiscard]] unsigned find_edges_towards_goal(mesh::Face f) const;
 
   /// How many goal faces lie in the subtree of a face, including the face itself. The subtree of a face of the core
@@ -68,7 +71,9 @@ class DeadEnds {
     std::uint32_t count;
   };
 
+  [[nodiscard]] static std::uint64_t bit_of(mesh::Face f) { return std::uint64_t{1} << number(f) % 64; }
   [[nodiscard]] std::uint32_t goals_below(mesh::Face f) const {
+    if ((bits_above_goals_ & bit_of(f)) == 0) return 0;
     const GoalsBelow& below = goals_below_[number(f)];
     return below.query == stamp_.value() ? below.count : 0;
   }
@@ -76,6 +81,7 @@ class DeadEnds {
   const mesh::TriangleMesh* mesh_ = nullptr;
   const nav::TwoCore* core_ = nullptr;
   std::size_t goal_count_ = 0;
+  std::uint64_t bits_above_goals_ = 0;           ///< the union of bit_of() for all faces with goals in their subtrees
   memory::ZeroedArray<GoalsBelow> goals_below_;  ///< by face
   memory::Stamp stamp_;
 };

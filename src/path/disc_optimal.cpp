@@ -310,10 +310,11 @@ double DiscOptimal::bound(const Window& window, const Edge& edge) const {
 
 /// A lower bound of the length of the paths through the window, from the root to the goal.
 ///
-/// For each position x of the edge, the guide's path from x to the goal is not shorter than the path from one end of
-/// the edge to the goal minus the distance from x to this end. The distance from the root to x is not shorter than the
-/// distance from the root to the other end minus the distance from there to x. The sum of the two distances along the
-/// edge is the length of the edge.
+/// Let x be the position of the edge at the distance t from the left end. The guide's path from x to the goal is not
+/// shorter than the path from an end of the edge to the goal minus the distance from x to this end. So there are two
+/// lower bounds of its length: one falls with t, the other rises, both by 1 for each unit of t. The distance from the
+/// root to x changes by at most 1 for each unit of t. So the sum of this distance and the larger one of the two bounds
+/// is smallest where the two bounds are equal, or at an end of the edge if they are equal nowhere.
 double DiscOptimal::bound_of_guide(const Window& window, const Edge& edge) const {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const Root& root = roots_[window.root];
@@ -321,8 +322,10 @@ double DiscOptimal::bound_of_guide(const Window& window, const Edge& edge) const
   if (!distances_->is_unknown(window.entry)) {
     const double left_rest = distances_->least_length(mesh.origin(window.entry), edge.left);
     const double right_rest = distances_->least_length(mesh.target(window.entry), edge.right);
-    rest = std::max(distance(root.position, edge.left) + right_rest, distance(root.position, edge.right) + left_rest) -
-           distance(edge.left, edge.right) - 2.0 * map_->radius;
+    const double size = distance(edge.left, edge.right);
+    const double t = std::clamp(0.5 * (left_rest - right_rest + size), 0.0, size);
+    const Point x = size > 0.0 ? lerp(edge.left, edge.right, t / size) : edge.left;
+    rest = distance(root.position, x) + std::max(left_rest - t, right_rest - (size - t)) - 2.0 * map_->radius;
   }
   if (root.end.vertex == mesh::kNoVertex || distances_->is_unknown(root.corner)) return rest;
   return std::max(rest, distances_->least_length(root.end.vertex, root.end.pivot.centre) - map_->radius);

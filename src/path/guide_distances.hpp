@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -24,9 +25,9 @@ class GuideDistances {
     dead_ends_.begin(map.mesh(), map.core, start_faces);
     start_ = start;
     limit_ = std::numeric_limits<double>::infinity();
-    stamp_.next(1, lengths_, crossed_);
+    stamp_.next(kFirstStampBit, lengths_, crossed_);
     lengths_.grow_to(map.mesh().vertex_slots());
-    crossed_.grow_to(std::size_t{3} * map.mesh().face_slots());
+    crossed_.grow_to(map.mesh().face_slots());
   }
 
   /// Returns whether the guide may cross the edge: it is not closed (DiscMap::is_closed()), and it does not lead into a
@@ -34,21 +35,27 @@ class GuideDistances {
   [[nodiscard]] bool can_cross(mesh::HalfEdge exit) const {
     return !dead_ends_.is_no_exit(mesh::face(exit), exit) && !map_->is_closed(exit);
   }
-  /// Records that a path of this length leads from the goal to the vertex.
-  void see(mesh::Vertex v, double length) {
+  /// Records that a path of length `length` leads from the goal to a root, and that the root sees the vertex at a
+  /// distance whose square is `squared`. The function computes no square root if it knows a shorter path to the vertex.
+  void see(mesh::Vertex v, double length, double squared) {
     Length& known = lengths_[number(v)];
-    if (known.query != stamp_.value() || length < known.length) known = {length, stamp_.value()};
+    if (known.query == stamp_.value()) {
+      const double rest = known.length - length;
+      if (rest <= 0.0 || squared >= rest * rest) return;
+    }
+    known = {length + std::sqrt(squared), stamp_.value()};
   }
-  /// Records that the guide has followed a window across the edge.
-  void cross(mesh::HalfEdge h) {
-    crossed_[number(h)] = stamp_.value();
-    crossed_[number(map_->mesh().twin(h))] = stamp_.value();
+  /// Records that the guide has followed a window across the edge `entry` into the face `f`.
+  void cross(mesh::Face f, mesh::HalfEdge entry) {
+    std::uint32_t& crossed = crossed_[number(f)];
+    if (crossed < stamp_.value()) crossed = stamp_.value();
+    crossed |= bit_of(f, entry);
   }
   /// Sets the limit. The distances are complete when the guide has followed all windows whose bound is below it.
   void set_limit(double limit) { limit_ = limit; }
 
   /// Returns whether the guide has followed a window across the edge.
-  [[nodiscard]] bool is_crossed(mesh::HalfEdge h) const { return crossed_[number(h)] == stamp_.value(); }
+  [[nodiscard]] bool is_crossed(mesh::HalfEdge h) const { return is_entered(h) || is_entered(map_->mesh().twin(h)); }
   /// Returns whether one of the two faces of the edge lies in a dead end into which the guide does not look. Then the
   /// distances and marks say nothing about the edge. If `h` is the corner of a pivot, the distance of its vertex says
   /// nothing about this pivot.
@@ -76,12 +83,23 @@ class GuideDistances {
     std::uint32_t query;
   };
 
+  static constexpr std::uint32_t kFirstStampBit = 8;
+
+  [[nodiscard]] static std::uint32_t bit_of(mesh::Face f, mesh::HalfEdge h) { return 1U << mesh::index_in(f, h); }
+  /// Returns whether the guide has entered the face of `h` across its edge `h`.
+  [[nodiscard]] bool is_entered(mesh::HalfEdge h) const {
+    const mesh::Face f = mesh::face(h);
+    const std::uint32_t crossed = crossed_[number(f)];
+    return crossed >= stamp_.value() && (crossed & bit_of(f, h)) != 0;
+  }
+
   const DiscMap* map_ = nullptr;
   Point start_;
   double limit_ = 0.0;
   DeadEnds dead_ends_;
-  memory::ZeroedArray<Length> lengths_;         ///< by vertex
-  memory::ZeroedArray<std::uint32_t> crossed_;  ///< by half-edge
+  memory::ZeroedArray<Length> lengths_;  ///< by vertex
+  /// By face: the number of the query plus a bit for each half-edge across which the guide has entered the face.
+  memory::ZeroedArray<std::uint32_t> crossed_;
   memory::Stamp stamp_;
 };
 

@@ -35,7 +35,7 @@ void Optimal::begin(const Triangulation& triangulation, const nav::Abstraction* 
   nodes_.clear();
   open_.clear();
   at_once_.clear();  // not empty if memory ran out in the last search
-  traces_.clear();
+  trace_count_ = 0;
   goals_.clear();
   goal_faces_.clear();
   goal_bits_ = 0;
@@ -157,7 +157,7 @@ void Optimal::leave_start() {
       if (exit == mesh::previous(h) && kind == locate::LocatedKind::vertex) continue;
       if (is_excluded(exit)) continue;
       const mesh::HalfEdge entry = mesh_->twin(exit);
-      push({Kind::window, false, entry, 0, 0, mesh_->origin(entry), mesh_->target(entry), traced(entry, kNone)});
+      push({Kind::window, false, entry, 0, 0, mesh_->origin(entry), mesh_->target(entry), kNone});
     }
   }
 }
@@ -202,8 +202,9 @@ void Optimal::follow_window_as(Node window) {
   for (int faces = 1;; ++faces) {
     ++expansions_;
     const mesh::Face f = mesh::face(window.entry);
+    window.trace = traced(window.entry, window.trace);
     if constexpr (kIsGuide) {
-      distances_->cross(window.entry);
+      distances_->cross(f, window.entry);
     } else {
       enter(f, window);
     }
@@ -236,7 +237,6 @@ void Optimal::follow_window_as(Node window) {
     }
     if (is_excluded<kIsGuide>(f, exit)) return;
     window.entry = mesh_->twin(exit);
-    window.trace = traced(window.entry, window.trace);
     if (faces % kFacesBetweenBounds != 0) continue;
     const Point left = cone.left_direction();
     const Point right = cone.right_direction();
@@ -268,12 +268,10 @@ void Optimal::divide(const Node& window, const Cone& cone, mesh::Vertex apex) {
   const Point to_apex = position_of(apex) - roots_[root].point;
   Node right = window;
   right.entry = mesh_->twin(mesh::next(window.entry));
-  right.trace = traced(right.entry, window.trace);
   right.left_root = root;
   right.left = apex;
   Node left = window;
   left.entry = mesh_->twin(mesh::previous(window.entry));
-  left.trace = traced(left.entry, window.trace);
   left.right_root = root;
   left.right = apex;
   push(left, cone.left_direction(), to_apex);
@@ -357,7 +355,6 @@ void Optimal::push_waiting(const Node& turn) {
   window.entry = mesh_->twin(turn.kind == Kind::left_turn ? mesh::next(turn.entry) : mesh::previous(turn.entry));
   window.kind = Kind::window;
   window.has_window = false;
-  window.trace = traced(window.entry, turn.trace);
   push(window);
 }
 
@@ -423,7 +420,6 @@ void Optimal::make_turn(const Node& turn) {
     if (is_seen) end_at(goal, root, turn.trace);
   });
   if (turn_sees_apex && !is_excluded(far_edge)) {
-    window.trace = traced(window.entry, turn.trace);
     if (turn.has_window) {
       (kIsLeft ? window.right_root : window.left_root) = kIsLeft ? turn.right_root : turn.left_root;
       (kIsLeft ? window.right : window.left) = kIsLeft ? turn.right : turn.left;
@@ -437,13 +433,12 @@ void Optimal::make_turn(const Node& turn) {
     ++expansions_;
     const mesh::HalfEdge exit = next(h);
     const mesh::HalfEdge entry = mesh_->twin(exit);
-    Node beyond{Kind::window, false, entry, root, root, mesh_->origin(entry), mesh_->target(entry), kNone};
+    Node beyond{Kind::window, false, entry, root, root, mesh_->origin(entry), mesh_->target(entry), trace};
     enter(mesh::face(h), beyond);
-    if (distances_ != nullptr) distances_->cross(h);
+    if (distances_ != nullptr) distances_->cross(mesh::face(h), h);
     see(mesh_->apex(h), root);
     for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
     if (is_excluded(exit)) continue;
-    beyond.trace = traced(entry, trace);
     push(beyond);
   }
 }
@@ -469,11 +464,7 @@ Optimal::Geometry::View Optimal::view(const Root& root) const {
   return root.vertex == mesh::kNoVertex ? Geometry::view(root.point) : geometry_->view(number(root.vertex));
 }
 
-std::uint32_t Optimal::traced(mesh::HalfEdge entry, std::uint32_t before) {
-  if (!wants_channel_) return kNone;
-  traces_.push_back({entry, before});
-  return static_cast<std::uint32_t>(traces_.size() - 1);
-}
+void Optimal::grow_traces() { traces_.resize(std::max(std::size_t{256}, 2 * traces_.size())); }
 
 void Optimal::write_path(std::size_t goal, bool wants_points, Path& path) const {
   const Goal& at = goals_[goal];

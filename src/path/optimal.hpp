@@ -198,7 +198,8 @@ class Optimal {
   }
   /// Tells the distances of a guide that the root sees the vertex.
   void see(mesh::Vertex v, std::uint32_t root) const {
-    if (distances_ != nullptr) distances_->see(v, roots_[root].length + distance(roots_[root].point, position_of(v)));
+    if (distances_ != nullptr)
+      distances_->see(v, roots_[root].length, squared_length(position_of(v) - roots_[root].point));
   }
   void record(mesh::Face f, const Node& window);
   void follow(Node node);
@@ -261,7 +262,17 @@ class Optimal {
   }
   [[nodiscard]] bool has_walls(mesh::Vertex v) const;
   [[nodiscard]] Reached& reached(mesh::Vertex v);
-  [[nodiscard]] std::uint32_t traced(mesh::HalfEdge entry, std::uint32_t before);
+  /// Records, if the query wants the channel, that a window whose last trace is `before` crosses the edge `entry`.
+  /// Returns the value for Node::trace.
+  [[nodiscard]] std::uint32_t traced(mesh::HalfEdge entry, std::uint32_t before) {
+    if (!wants_channel_) return kNone;
+    const std::size_t index = trace_count_++;
+    if (index == traces_.size()) [[unlikely]]
+      grow_traces();
+    traces_[index] = {entry, before};
+    return static_cast<std::uint32_t>(index);
+  }
+  void grow_traces();
   [[nodiscard]] const Point& position_of(mesh::Vertex v) const { return geometry_->rounded(number(v)); }
   [[nodiscard]] Geometry::View view(const Root& root) const;
   [[nodiscard]] double bound(const Node& window, const Point& left, const Point& right) const;
@@ -283,7 +294,8 @@ class Optimal {
   std::vector<Node> nodes_;
   OpenList open_;              ///< indices in `nodes_`
   std::vector<Node> at_once_;  ///< windows to follow before the next node of the open list
-  std::vector<Trace> traces_;
+  std::vector<Trace> traces_;  ///< the first `trace_count_` are in use
+  std::size_t trace_count_ = 0;
   memory::ZeroedArray<Reached> reached_;               ///< by vertex
   memory::ZeroedArray<GoalsBelow> goals_below_;        ///< by face outside the core
   std::vector<GoalsInComponent> goals_in_components_;  ///< one entry for each component of a start face, ascending
