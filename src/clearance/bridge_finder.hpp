@@ -64,9 +64,15 @@ class BridgeFinder {
   /// Returns one bit for each angle of a face. Bit i is 0 only if the angle at the origin of half-edge i of the face is
   /// at least 90 degrees.
   [[nodiscard]] unsigned acute_angles(mesh::Face f) const;
-  /// Returns false only if no foot bridge starts at corner `i` (0, 1 or 2) of a face and runs into this face. `acute`
-  /// is acute_angles() of the face.
-  [[nodiscard]] static bool may_have_foot(unsigned acute, unsigned i) { return (acute | 1U << i) == 7U; }
+  /// Returns one bit for each corner of a face. Bit i is 0 only if no foot bridge starts at the origin of half-edge i
+  /// and runs into the face: then the angle at another corner is at least 90 degrees. `acute` is acute_angles() of the
+  /// face.
+  [[nodiscard]] static unsigned corners_with_foot(unsigned acute) {
+    constexpr unsigned kAll = 7;
+    if (acute == kAll) return kAll;
+    const unsigned others = kAll & ~acute;
+    return (others & (others - 1)) == 0 ? others : 0;
+  }
 
   /// Returns whether the free edge of `h` is a bridge. Requires: `h` and its twin belong to faces of the domain.
   [[nodiscard]] bool is_bridge(mesh::HalfEdge h);

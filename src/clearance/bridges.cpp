@@ -1,6 +1,7 @@
 #include "clearance/bridges.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "clearance/wall_line.hpp"
@@ -13,10 +14,6 @@ using mesh::HalfEdge;
 using mesh::Vertex;
 
 namespace {
-
-/// If an operation has touched at most this number of faces, update() never rebuilds the bridges, even if these are
-/// most faces of the mesh.
-constexpr std::size_t kFewFaces = 1000;
 
 /// The value of `acute_` for a face outside the domain. No face of the domain has this value, because at least two of
 /// its angles are acute.
@@ -56,7 +53,8 @@ Bridges::Bridges(const Triangulation& triangulation) {
     find_at_corners(triangulation, finder, f);
     for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
       const HalfEdge h{i};
-      if (!mesh.is_fixed(h) && h < mesh.twin(h) && may_be_bridge(mesh, h)) find_at_edge(triangulation, finder, h);
+      if (!mesh.is_fixed(h) && h < mesh.twin(h) && may_be_bridge(h, mesh.twin(h)))
+        find_at_edge(triangulation, finder, h);
     }
     begin();  // empties the logs: no earlier state exists
   });
@@ -89,14 +87,15 @@ void Bridges::roll_back() {
   free_feet_ = free_feet_before_;
 }
 
-void Bridges::update(const Triangulation& triangulation, const ChangedWalls& changed) {
+void Bridges::update(const Triangulation& triangulation, const mesh::TouchedFaces& touched,
+                     const ChangedWalls& changed) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   Guard guard(*this);
-  region_.collect_faces(triangulation);
-  if (region_.faces().size() > kFewFaces && 2 * region_.faces().size() > mesh.face_slots()) {
+  if (touched.are_most()) {
     rebuild(triangulation);
     return guard.done();
   }
+  region_.begin(triangulation, touched);
   grow_to_mesh(mesh);
   BridgeFinder finder(triangulation, scratch_);
   find_in_touched(triangulation, changed, finder);
@@ -128,22 +127,24 @@ void Bridges::swap_bridges(Bridges& other) {
 void Bridges::find_in_touched(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto is_in_domain = [&](Face f) { return triangulation.triangulation().is_in_domain(f); };
-  for (const Face f : region_.faces()) {
+  for (const Face f : region_.touched().faces()) {
     clear_face(f);
     acute_[number(f)] = kNotInDomain;
     if (is_in_domain(f)) note_angles(finder, f);
   }
-  for (const Face f : region_.faces()) {
+  for (const Face f : region_.touched().faces()) {
     if (acute_[number(f)] == kNotInDomain) continue;
     find_at_corners(triangulation, finder, f);
     for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
       const HalfEdge h{i};
-      if (mesh.is_fixed(h)) continue;
       const HalfEdge twin = mesh.twin(h);
-      if (region_.contains(mesh::face(twin))) {
-        if (h < twin && may_be_bridge(mesh, h)) find_at_edge(triangulation, finder, h);
+      const bool is_free = !mesh.is_fixed(h);
+      if (region_.touched().contains(mesh::face(twin))) {
+        // The processor cannot predict these tests, so the code combines them without branches.
+        if (is_free & (h < twin) & may_be_bridge(h, twin)) find_at_edge(triangulation, finder, h);
         continue;
       }
+      if (!is_free) continue;
       region_.add_border(h);
       if (finder.may_touch(finder.disc_of(h), changed)) {
         find_at_edge(triangulation, finder, h);
@@ -160,17 +161,19 @@ void Bridges::note_angles(const BridgeFinder& finder, Face f) {
 
 /// Finds the foot bridges that start at the corners of a face. Requires: note_angles() was called for the face.
 void Bridges::find_at_corners(const Triangulation& triangulation, BridgeFinder& finder, Face f) {
-  const unsigned acute = acute_[number(f)];
-  for (unsigned i = 0; i < 3; ++i) {
-    if (BridgeFinder::may_have_foot(acute, i)) find_at_corner(triangulation, finder, mesh::half_edge(f, i));
+  for (unsigned corners = BridgeFinder::corners_with_foot(acute_[number(f)]); corners != 0; corners &= corners - 1) {
+    const auto i = static_cast<std::uint32_t>(std::countr_zero(corners));
+    find_at_corner(triangulation, finder, mesh::half_edge(f, i));
   }
 }
 
-bool Bridges::may_be_bridge(const mesh::TriangleMesh& mesh, HalfEdge h) const {
-  const auto is_apex_acute = [&](HalfEdge of) {
-    return (acute_[number(mesh::face(of))] >> (number(mesh::previous(of)) % 3) & 1U) != 0;
+bool Bridges::may_be_bridge(HalfEdge h, HalfEdge twin) const {
+  const auto acute_at_apex = [&](HalfEdge of) {
+    constexpr std::uint32_t kPrevious[3] = {2, 0, 1};  // by the number of a half-edge in its face
+    const Face f = mesh::face(of);
+    return acute_[number(f)] >> kPrevious[mesh::index_in(f, of)];
   };
-  return is_apex_acute(h) && is_apex_acute(mesh.twin(h));
+  return (acute_at_apex(h) & acute_at_apex(twin) & 1) != 0;
 }
 
 void Bridges::find_beyond(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder) {
@@ -180,13 +183,16 @@ void Bridges::find_beyond(const Triangulation& triangulation, const ChangedWalls
 }
 
 void Bridges::clear_face(Face f) {
+  const std::uint32_t first = 3 * number(f);
+  const std::uint32_t of_corners = corners_[first] | corners_[first + 1] | corners_[first + 2];
+  if ((of_corners | walls_[first] | walls_[first + 1] | walls_[first + 2]) == 0) return;
   for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
     if ((corners_[i] | walls_[i]) == 0) continue;
     const HalfEdge h{i};
     if (const std::uint32_t foot = foot_at(h); foot != kNone) remove_foot(foot);
     while (first_foot_on(h) != kNone) {
       const std::uint32_t foot = first_foot_on(h);
-      if (!region_.contains(mesh::face(feet_[foot].corner))) region_.add_corner(feet_[foot].corner);
+      if (!region_.touched().contains(mesh::face(feet_[foot].corner))) region_.add_corner(feet_[foot].corner);
       remove_foot(foot);
     }
     write_corner(h, 0);

@@ -69,9 +69,9 @@ class Bridges {
   [[nodiscard]] std::size_t foot_slots() const { return feet_.size(); }
 
   /// Updates the bridges to the triangulation. Requires: the operation of the triangulation is still open, and
-  /// `changed` contains all walls that it has inserted or removed, and is sorted. If memory runs out, nothing changes.
-  /// Cost: depends on what changed and on the bridges near it.
-  void update(const Triangulation& triangulation, const ChangedWalls& changed);
+  /// `touched` are the faces that it has touched, and `changed` contains all walls that it has inserted or removed, and
+  /// is sorted. If memory runs out, nothing changes. Cost: depends on what changed and on the bridges near it.
+  void update(const Triangulation& triangulation, const mesh::TouchedFaces& touched, const ChangedWalls& changed);
   /// Undoes the last update(). Requires: since then, neither commit() nor roll_back() was called. Allocates nothing.
   void roll_back();
   /// Frees memory that only roll_back() needs.
@@ -101,8 +101,9 @@ class Bridges {
   void find_at_corners(const Triangulation& triangulation, BridgeFinder& finder, mesh::Face f);
   void find_at_corner(const Triangulation& triangulation, BridgeFinder& finder, mesh::HalfEdge corner);
   void find_at_edge(const Triangulation& triangulation, BridgeFinder& finder, mesh::HalfEdge h);
-  /// Returns false only if the edge is no bridge. Requires: `acute_` has the angles of both faces.
-  [[nodiscard]] bool may_be_bridge(const mesh::TriangleMesh& mesh, mesh::HalfEdge h) const;
+  /// Returns false only if the edge of the two half-edges is no bridge. Requires: `acute_` has the angles of both
+  /// faces.
+  [[nodiscard]] bool may_be_bridge(mesh::HalfEdge h, mesh::HalfEdge twin) const;
   void set_bridge(mesh::HalfEdge h, bool is_bridge);
 
   [[nodiscard]] std::uint32_t add_foot(const Foot& foot);

@@ -6,7 +6,6 @@
 
 namespace waywright::clearance {
 
-using mesh::Face;
 using mesh::HalfEdge;
 
 // Which bridges can change. A face is *touched* if the operation has made, rebuilt or freed it. A disc or a circle
@@ -55,17 +54,12 @@ using mesh::HalfEdge;
 // radius sqrt(2) r. If this disc touches no box, there is no search beyond `border`. The code in bridges.cpp adds the
 // corners of the bridges that it has removed because they end at touched faces.
 
-void ChangedRegion::collect_faces(const Triangulation& triangulation) {
+void ChangedRegion::begin(const Triangulation& triangulation, const mesh::TouchedFaces& touched) {
   mesh_ = &triangulation.topology();
+  touched_ = &touched;
   const std::size_t half_edges = std::size_t{3} * mesh_->face_slots();
-  if (is_touched_.size() < mesh_->face_slots()) is_touched_.resize(mesh_->face_slots());
   if (is_corner_.size() < half_edges) is_corner_.resize(half_edges);
   if (is_edge_.size() < half_edges) is_edge_.resize(half_edges);
-  mesh_->for_each_touched_face([&](Face f, mesh::TriangleMesh::Touch touch) {
-    if (touch == mesh::TriangleMesh::Touch::relabelled || is_touched_[number(f)]) return;
-    faces_.push_back(f);
-    is_touched_[number(f)] = true;
-  });
 }
 
 void ChangedRegion::collect_beyond(const ChangedWalls& changed, BridgeFinder& finder, BridgeScratch& scratch) {
@@ -135,20 +129,18 @@ void ChangedRegion::add_edge(HalfEdge h) {
 }
 
 void ChangedRegion::clear() {
-  for (const Face f : faces_) is_touched_[number(f)] = false;
   for (const HalfEdge corner : corners_) is_corner_[number(corner)] = false;
   for (const HalfEdge h : edges_) is_edge_[number(h)] = false;
-  faces_.clear();
   border_.clear();
   corners_.clear();
   edges_.clear();
 }
 
 void ChangedRegion::count_memory(MemoryUse& use) const {
-  use.bridges += (is_touched_.capacity() + is_corner_.capacity() + is_edge_.capacity()) / 8;
-  memory::count_spare(use, faces_, border_, corners_, edges_);
+  use.bridges += (is_corner_.capacity() + is_edge_.capacity()) / 8;
+  memory::count_spare(use, border_, corners_, edges_);
 }
 
-void ChangedRegion::release() { memory::release(faces_, border_, corners_, edges_, is_touched_, is_corner_, is_edge_); }
+void ChangedRegion::release() { memory::release(border_, corners_, edges_, is_corner_, is_edge_); }
 
 }  // namespace waywright::clearance

@@ -10,22 +10,23 @@
 #include "clearance/bridge_finder.hpp"
 #include "clearance/changed_walls.hpp"
 #include "constraint/exact_triangulation.hpp"
+#include "mesh/touched_faces.hpp"
 
 namespace waywright::clearance {
 
-/// The region R of the faces that an operation has touched, and the corners and edges beyond it whose bridges the
-/// operation may have changed. Keep the object: later operations use its memory again.
+/// The corners and edges beyond the region R of the faces that an operation has touched, if the operation may have
+/// changed their bridges. Keep the object: later operations use its memory again.
 class ChangedRegion {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// Collects the touched faces. Leaves out faces of which only labels have changed: their walls are the same.
-  /// Requires: the operation of the triangulation is still open, and the object is empty.
-  void collect_faces(const Triangulation& triangulation);
+  /// Starts an update. Requires: the operation of the triangulation is still open, `touched` are the faces that it has
+  /// touched, and the object is empty.
+  void begin(const Triangulation& triangulation, const mesh::TouchedFaces& touched);
   /// Adds a free edge between a touched face of the domain and a face that is not touched: the half-edge of the touched
-  /// face. Requires: collect_faces() was called.
+  /// face.
   void add_border(mesh::HalfEdge h) { border_.push_back(h); }
-  /// Adds a corner of a face that is not touched. Requires: collect_faces() was called.
+  /// Adds a corner of a face that is not touched.
   void add_corner(mesh::HalfEdge corner);
   /// Collects the corners and edges of other faces whose bridges may have appeared or vanished because of the changed
   /// walls. Cost: a search beyond each edge on the border of R. Requires: add_border() was called for each of these
@@ -34,9 +35,7 @@ class ChangedRegion {
   /// Makes the object empty. Cost: proportional to what it contains.
   void clear();
 
-  /// The touched faces: also free faces, and faces outside the domain.
-  [[nodiscard]] const std::vector<mesh::Face>& faces() const { return faces_; }
-  [[nodiscard]] bool contains(mesh::Face f) const { return is_touched_[number(f)]; }
+  [[nodiscard]] const mesh::TouchedFaces& touched() const { return *touched_; }
   /// The corners beyond R at which foot bridges may have changed: each one is a half-edge that starts at the corner.
   [[nodiscard]] const std::vector<mesh::HalfEdge>& corners() const { return corners_; }
   /// The free edges beyond R that may have become bridges or may be bridges no more. Each edge has one half-edge here.
@@ -63,18 +62,17 @@ class ChangedRegion {
 
   void search_beyond(const Search& search, mesh::HalfEdge border);
   void follow_fan(const Search& search, mesh::HalfEdge h, mesh::HalfEdge border, bool is_counter_clockwise);
-  [[nodiscard]] bool is_border(mesh::HalfEdge h) const { return contains(mesh::face(mesh_->twin(h))); }
+  [[nodiscard]] bool is_border(mesh::HalfEdge h) const { return touched_->contains(mesh::face(mesh_->twin(h))); }
   void add_corners(std::initializer_list<mesh::HalfEdge> corners);
   void add_edge(mesh::HalfEdge h);
 
-  const mesh::TriangleMesh* mesh_ = nullptr;  ///< the mesh that the operation has changed
-  std::vector<mesh::Face> faces_;
-  std::vector<mesh::HalfEdge> border_;  ///< see add_border()
+  const mesh::TriangleMesh* mesh_ = nullptr;     ///< the mesh that the operation has changed
+  const mesh::TouchedFaces* touched_ = nullptr;  ///< the faces of R
+  std::vector<mesh::HalfEdge> border_;           ///< see add_border()
   std::vector<mesh::HalfEdge> corners_;
   std::vector<mesh::HalfEdge> edges_;
-  std::vector<bool> is_touched_;  ///< by face
-  std::vector<bool> is_corner_;   ///< by half-edge: whether `corners_` contains it
-  std::vector<bool> is_edge_;     ///< by half-edge: whether `edges_` contains it
+  std::vector<bool> is_corner_;  ///< by half-edge: whether `corners_` contains it
+  std::vector<bool> is_edge_;    ///< by half-edge: whether `edges_` contains it
 };
 
 }  // namespace waywright::clearance

@@ -93,13 +93,19 @@ void Clearance::note_changed(const Triangulation& world, ItemId id) {
   if (box) changed_walls_.add(*box);
 }
 
-void Clearance::update(const Triangulation& world) {
+void Clearance::update(const Triangulation& world, const mesh::TouchedFaces& touched) {
   std::sort(changed_.begin(), changed_.end());
   changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
   if (!walls_ && is_any_changed_loose(world)) return make_walls(world);
-  if (walls_) update_walls(world);
   changed_walls_.sort();
-  bridges_->update(triangulation_of_walls(world), changed_walls_);
+  if (walls_) {
+    update_walls(world);
+    const mesh::TouchedFaces::Guard guard(touched_walls_);
+    touched_walls_.collect(walls_->topology());
+    bridges_->update(*walls_, touched_walls_, changed_walls_);
+  } else {
+    bridges_->update(world, touched, changed_walls_);
+  }
   are_bridges_changed_ = true;
 }
 
@@ -166,6 +172,7 @@ void Clearance::count_memory(MemoryUse& use) const {
   use.spare += sizeof(Clearance) + sizeof(Bridges);
   memory::count_spare(use, changed_, outline_.corners, outline_.ring_ends);
   changed_walls_.count_memory(use);
+  touched_walls_.count_memory(use);
   use.spare += shape_.rings.points().size_bytes();
   if (!walls_) return;
   MemoryUse of_walls;
@@ -177,6 +184,7 @@ void Clearance::count_memory(MemoryUse& use) const {
 void Clearance::shrink_to_fit(const Triangulation& world) {
   memory::release(changed_, outline_.corners, outline_.ring_ends);
   changed_walls_.release();
+  touched_walls_.release();
   shape_ = {};
   if (walls_ && !has_any_loose_ring(world)) {
     bridges_ = std::make_unique<Bridges>(world);

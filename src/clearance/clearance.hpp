@@ -65,10 +65,11 @@ class Clearance {
 
   /// Call it for each item that the operation has inserted or is about to remove. Cost: linear in the corners.
   void note_changed(const Triangulation& world, ItemId id);
-  /// Updates the bridges, and the second triangulation if there is one, to the triangulation of the world. Requires:
-  /// the operation of that triangulation and an UndoGuard are open, and the operation calls update() only once. Cost:
-  /// depends on what changed. The first loose ring costs as much as a new world.
-  void update(const Triangulation& world);
+  /// Updates the bridges, and the second triangulation if there is one, to the triangulation of the world. `touched`
+  /// are the faces that the operation has touched. Requires: the operation of that triangulation and an UndoGuard are
+  /// open, and the operation calls update() only once. Cost: depends on what changed. The first loose ring costs as
+  /// much as a new world.
+  void update(const Triangulation& world, const mesh::TouchedFaces& touched);
 
   /// Returns the first fault, or nothing: the bridges must equal rebuilt bridges, and the second triangulation must
   /// equal one that is built from the live items. Cost: linear.
@@ -99,6 +100,7 @@ class Clearance {
   bool are_bridges_changed_ = false;
 
   // Scratch.
+  mesh::TouchedFaces touched_walls_;  ///< the touched faces of the second triangulation
   constraint::Outline outline_;
   Shape shape_;
 };

@@ -11,13 +11,6 @@ namespace waywright::nav {
 
 using mesh::Face;
 
-namespace {
-
-/// update() never rebuilds the abstraction for this many changed faces or fewer, whatever their share of the mesh.
-constexpr std::size_t kFewFaces = 1000;
-
-}  // namespace
-
 /// The destructor rolls the abstraction back, unless done() was called.
 class Abstraction::Guard {
  public:
@@ -29,7 +22,6 @@ class Abstraction::Guard {
     if (is_done_) return;
     abstraction_.components_.roll_back();
     abstraction_.core_.roll_back();
-    std::fill(abstraction_.is_touched_.begin(), abstraction_.is_touched_.end(), false);
   }
   Guard(const Guard&) = delete;
   Guard& operator=(const Guard&) = delete;
@@ -49,24 +41,24 @@ void Abstraction::begin() {
   removed_.clear();
 }
 
-void Abstraction::update(const Triangulation& triangulation) {
+void Abstraction::update(const Triangulation& triangulation, const mesh::TouchedFaces& touched) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
+  const std::vector<Face>& changed = touched.faces();
   Guard guard(*this);
-  collect_touched(mesh);
   was_rebuilt_ = false;
-  if (changed_.size() > kFewFaces && 2 * changed_.size() > mesh.face_slots()) {
+  if (touched.are_most()) {
     rebuild(triangulation);
     is_updated_ = true;
     return guard.done();
   }
-  collect_new_faces(triangulation);
+  collect_new_faces(triangulation, touched);
   remove_common_polygons();
-  if (is_in_open_space(mesh)) {
-    components_.update_in_open_space(mesh, changed_, new_faces_);
-    core_.update_in_open_space(mesh, changed_, new_faces_);
+  if (is_in_open_space(mesh, touched)) {
+    components_.update_in_open_space(mesh, changed, new_faces_);
+    core_.update_in_open_space(mesh, changed, new_faces_);
   } else {
-    components_.update(triangulation, {changed_, new_faces_, removed_, inserted_, triangulation.may_have_divided()});
-    core_.update(mesh, changed_, new_faces_);
+    components_.update(triangulation, {changed, new_faces_, removed_, inserted_, triangulation.may_have_divided()});
+    core_.update(mesh, changed, new_faces_);
   }
   is_updated_ = true;
   guard.done();
@@ -91,30 +83,17 @@ void Abstraction::roll_back() {
 
 /// Rebuilds the abstraction. If most faces changed, this costs less than an update of each changed face.
 void Abstraction::rebuild(const Triangulation& triangulation) {
-  changed_ = new_faces_ = std::vector<Face>();  // frees the memory of these lists, which are as large as the mesh
+  memory::release(new_faces_);
   before_ = std::make_unique<Replaced>(Replaced{Components(triangulation), TwoCore(triangulation)});
   std::swap(components_, before_->components);
   std::swap(core_, before_->core);
   was_rebuilt_ = true;
 }
 
-/// Collects in `changed_` the faces that the operation touched, each once. Leaves out faces of which only labels have
-/// changed: the same walls bound them, and the lists of inserted and removed polygons say what covers them.
-void Abstraction::collect_touched(const mesh::TriangleMesh& mesh) {
-  if (is_touched_.size() < mesh.face_slots()) is_touched_.resize(mesh.face_slots());
-  changed_.clear();
-  mesh.for_each_touched_face([&](Face f, mesh::TriangleMesh::Touch touch) {
-    if (touch == mesh::TriangleMesh::Touch::relabelled || is_touched_[number(f)]) return;
-    changed_.push_back(f);
-    is_touched_[number(f)] = true;
-  });
-  for (const Face f : changed_) is_touched_[number(f)] = false;
-}
-
-/// Collects in `new_faces_` the faces of `changed_` that now lie in the domain.
-void Abstraction::collect_new_faces(const Triangulation& triangulation) {
+/// Collects in `new_faces_` the touched faces that now lie in the domain.
+void Abstraction::collect_new_faces(const Triangulation& triangulation, const mesh::TouchedFaces& touched) {
   new_faces_.clear();
-  std::copy_if(changed_.begin(), changed_.end(), std::back_inserter(new_faces_),
+  std::copy_if(touched.faces().begin(), touched.faces().end(), std::back_inserter(new_faces_),
                [&](Face f) { return triangulation.triangulation().is_in_domain(f); });
 }
 
@@ -130,14 +109,14 @@ void Abstraction::remove_common_polygons() {
   std::erase_if(removed_, is_common);
 }
 
-/// Returns whether the change happened in open space: before it, every face in the list `changed_` that existed had
-/// three passages to faces of the two-core, and all these faces belonged to one component. After it, all edges of the
-/// faces in `new_faces_` are passages. The new faces then belong to the same component, and each has three passages to
-/// faces of the two-core.
-bool Abstraction::is_in_open_space(const mesh::TriangleMesh& mesh) const {
+/// Returns whether the change happened in open space: before it, every touched face that existed had three passages to
+/// faces of the two-core, and all these faces belonged to one component. After it, all edges of the faces in
+/// `new_faces_` are passages. The new faces then belong to the same component, and each has three passages to faces of
+/// the two-core.
+bool Abstraction::is_in_open_space(const mesh::TriangleMesh& mesh, const mesh::TouchedFaces& touched) const {
   if (!inserted_.empty() || !removed_.empty()) return false;
   Components::Id component = Components::kNone;
-  for (const Face f : changed_) {
+  for (const Face f : touched.faces()) {
     if (core_.is_absent(f)) continue;
     if (component == Components::kNone) component = components_.component_of(f);
     if (core_.degree(f) != 3 || components_.component_of(f) != component) return false;
@@ -162,8 +141,7 @@ std::optional<std::string> Abstraction::find_fault(const Triangulation& triangul
 void Abstraction::count_memory(MemoryUse& use) const {
   components_.count_memory(use);
   core_.count_memory(use);
-  use.abstraction += is_touched_.capacity() / 8;
-  memory::count_spare(use, inserted_, removed_, changed_, new_faces_, common_);
+  memory::count_spare(use, inserted_, removed_, new_faces_, common_);
 }
 
 void Abstraction::shrink_to_fit() {
@@ -171,8 +149,7 @@ void Abstraction::shrink_to_fit() {
   core_.begin();
   components_.shrink_to_fit();
   core_.shrink_to_fit();
-  memory::shrink(is_touched_);
-  memory::release(inserted_, removed_, changed_, new_faces_, common_);
+  memory::release(inserted_, removed_, new_faces_, common_);
 }
 
 }  // namespace waywright::nav

@@ -9,6 +9,7 @@
 #include "waywright/memory_use.hpp"
 
 #include "constraint/exact_triangulation.hpp"
+#include "mesh/touched_faces.hpp"
 #include "nav/components.hpp"
 #include "nav/two_core.hpp"
 
@@ -43,10 +44,10 @@ class Abstraction {
   void begin();
   void note_inserted(std::uint32_t polygon) { inserted_.push_back(polygon); }
   void note_removed(std::uint32_t polygon) { removed_.push_back(polygon); }
-  /// Updates the abstraction to the triangulation. The undo log of the mesh says which faces have changed. Requires:
+  /// Updates the abstraction to the triangulation. `touched` are the faces that the operation has touched. Requires:
   /// the operation of the triangulation has not ended. If memory runs out, nothing changes. Call it at most once in an
   /// operation. Cost: depends on what changed, not on the size of the world.
-  void update(const Triangulation& triangulation);
+  void update(const Triangulation& triangulation, const mesh::TouchedFaces& touched);
   /// Ends the operation. Allocates nothing.
   void commit();
   /// Undoes update() and ends the operation. If update() was not called, nothing changes. Allocates nothing. Requires:
@@ -74,10 +75,9 @@ class Abstraction {
   class Guard;
 
   void rebuild(const Triangulation& triangulation);
-  void collect_touched(const mesh::TriangleMesh& mesh);
-  void collect_new_faces(const Triangulation& triangulation);
+  void collect_new_faces(const Triangulation& triangulation, const mesh::TouchedFaces& touched);
   void remove_common_polygons();
-  [[nodiscard]] bool is_in_open_space(const mesh::TriangleMesh& mesh) const;
+  [[nodiscard]] bool is_in_open_space(const mesh::TriangleMesh& mesh, const mesh::TouchedFaces& touched) const;
 
   Components components_;
   TwoCore core_;
@@ -96,9 +96,7 @@ class Abstraction {
   std::vector<std::uint32_t> removed_;
 
   // Scratch.
-  std::vector<bool> is_touched_;  ///< by face
-  std::vector<mesh::Face> changed_;
-  std::vector<mesh::Face> new_faces_;
+  std::vector<mesh::Face> new_faces_;  ///< the touched faces that now lie in the domain
   std::vector<std::uint32_t> common_;
 };
 

@@ -70,6 +70,7 @@ MemoryUse World::memory() const {
   impl_->change_log.count_memory(use);
   impl_->history.count_memory(use);
   impl_->touch_log->count_memory(use);
+  impl_->touched_faces.count_memory(use);
   memory::count_spare(use, impl_->outline.corners, impl_->outline.ring_ends);
   if (impl_->abstraction) impl_->abstraction->count_memory(use);
   if (impl_->clearance) impl_->clearance->count_memory(use);
@@ -85,6 +86,7 @@ void World::shrink_to_fit() {
   impl_->change_log.shrink_to_fit();
   impl_->history.shrink_to_fit();
   impl_->touch_log->shrink_to_fit();
+  impl_->touched_faces.release();
   impl_->spare_context.release();
   impl_->snapshots.reset();
   memory::release(impl_->outline.corners, impl_->outline.ring_ends);

@@ -167,7 +167,8 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   std::shared_ptr<TouchLog> touch_log = std::make_shared<TouchLog>();
   ChangeLog change_log;
   History history;
-  constraint::Outline outline;  ///< scratch
+  mesh::TouchedFaces touched_faces;  ///< scratch of Operation::update()
+  constraint::Outline outline;       ///< scratch
   SpareContext spare_context;
   std::unique_ptr<SnapshotPool> snapshots;  ///< null until the first snapshot
   std::optional<Operation> attempt;         ///< the operation of World::attempt(), while its question runs
@@ -225,8 +226,11 @@ inline void World::Operation::remove(ItemId id) {
 inline void World::Operation::set_largest_id_seen(ItemId id) { impl_.triangulation.set_largest_id_seen(id); }
 
 inline void World::Operation::update() {
-  if (impl_.clearance) impl_.clearance->update(impl_.triangulation);
-  if (impl_.abstraction) impl_.abstraction->update(impl_.triangulation);
+  if (!impl_.clearance && !impl_.abstraction) return;
+  const mesh::TouchedFaces::Guard guard(impl_.touched_faces);
+  impl_.touched_faces.collect(impl_.triangulation.topology());
+  if (impl_.clearance) impl_.clearance->update(impl_.triangulation, impl_.touched_faces);
+  if (impl_.abstraction) impl_.abstraction->update(impl_.triangulation, impl_.touched_faces);
 }
 
 inline void World::Operation::commit() {

@@ -44,7 +44,7 @@ class Walls {
   void insert(const Shape& shape, ItemId id) {
     constraint::ExactTriangulation::UndoGuard operation(mesh_);
     mesh_.insert(shape, id);
-    bridges_.update(mesh_, changed_by(shape));
+    update(changed_by(shape));
     operation.commit();
   }
   void remove(ItemId id) {
@@ -52,7 +52,7 @@ class Walls {
     mesh_.remove(id);
     clearance::ChangedWalls any;
     any.add_all();
-    bridges_.update(mesh_, any);
+    update(any);
     operation.commit();
   }
   [[nodiscard]] const Bridges& bridges() const { return bridges_; }
@@ -82,6 +82,11 @@ class Walls {
   }
 
  private:
+  void update(const clearance::ChangedWalls& changed) {
+    const mesh::TouchedFaces::Guard guard(touched_);
+    touched_.collect(mesh_.topology());
+    bridges_.update(mesh_, touched_, changed);
+  }
   [[nodiscard]] Vector position(mesh::Vertex v) const {
     return exactly(mesh_.triangulation().geometry().rounded(number(v)));
   }
@@ -95,6 +100,7 @@ class Walls {
 
   constraint::ExactTriangulation mesh_;
   Bridges bridges_;
+  mesh::TouchedFaces touched_;
 };
 
 /// Returns whether each ring of the shape has a side.

@@ -43,7 +43,9 @@ class Reduced {
         if (mesh_.items().is_polygon(slot)) abstraction_.note_inserted(slot);
       }
     }
-    abstraction_.update(mesh_);
+    const mesh::TouchedFaces::Guard guard(touched_);
+    touched_.collect(mesh_.topology());
+    abstraction_.update(mesh_, touched_);
     operation.commit();
   }
   ItemId insert(const Shape& shape) {
@@ -61,6 +63,7 @@ class Reduced {
  private:
   constraint::ExactTriangulation mesh_;
   Abstraction abstraction_;
+  mesh::TouchedFaces touched_;
 };
 
 /// The same abstraction, computed from the mesh by the simplest methods.

@@ -32,7 +32,9 @@ class WithBridges {
       mesh_.insert(change.shape, ids[i]);
       clearance_.note_changed(mesh_, ids[i]);
     }
-    clearance_.update(mesh_);
+    const mesh::TouchedFaces::Guard guard(touched_);
+    touched_.collect(mesh_.topology());
+    clearance_.update(mesh_, touched_);
     if (end == End::roll_back) return;
     operation.commit();
     clearance_operation.commit();
@@ -46,6 +48,7 @@ class WithBridges {
  private:
   constraint::ExactTriangulation mesh_;
   clearance::Clearance clearance_;
+  mesh::TouchedFaces touched_;
 };
 
 Fault find_first_fault(const ChangeScript& script, std::uint64_t seed, BridgesReport& report) {
