@@ -19,7 +19,7 @@ namespace waywright {
 /// @addtogroup errors
 /// @{
 
-/// The kind of an error: why a function refused its arguments or its data. A refused call changes nothing.
+/// The kind of an error: why a function refused its arguments or its data. A refused call changes no world.
 /// The C interface has the same numbers.
 enum class ErrorCode : std::uint8_t {
   coordinate_range = 1,  ///< a coordinate that is not finite, beyond ±2^100, or nearer to 0 than 2^-100 but not 0

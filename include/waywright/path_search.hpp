@@ -57,9 +57,10 @@ class WAYWRIGHT_API PathSearch {
   Result<void> begin(const World& world, const PathQuery& query);
 
   /// Continues the search until it has entered `expansions` further triangles, or a few more. Returns whether the
-  /// search is done. If the radius is 0, the first call ends a search by PathAlgorithm::tra. If no search is running,
-  /// the function returns true. For a radius above 0, `expansions` counts what Path::expansions counts. If the radius
-  /// is above 0 and there is no path, the last slice also finds Path::widest, at the cost of World::widest_path.
+  /// search is done. If the radius is 0, a search by PathAlgorithm::tra ends in the first call with a number above 0.
+  /// If no search is running, the function returns true. For a radius above 0, `expansions` counts what
+  /// Path::expansions counts. If the radius is above 0 and there is no path, the last slice also finds Path::widest, at
+  /// the cost of World::widest_path.
   /// Errors: world_gone, if the world has been destroyed or another world has been assigned to it. This cancels the
   /// search.
   /// Cost: proportional to the number of triangles that the search enters; for a radius above 0, to what

@@ -34,8 +34,8 @@ namespace waywright {
 ///
 /// You can make a Rings from other types that hold rings: several rings in braces `{{{0, 0}, {1, 0}, {1, 1}}}`, one
 /// ring in braces `{{0, 0}, {1, 0}, {1, 1}}`, a list of points, or a list of lists of points. You can compare it with
-/// each of these types. A loop over a Rings gives a PointSpan for each ring. These views are valid until you add rings
-/// or points.
+/// another Rings, with a list of points, and with a list of lists of points. A loop over a Rings gives a PointSpan for
+/// each ring. These views are valid until you add rings or points.
 class Rings {
  public:
   /// An iterator over rings. The view that it returns is a member of the iterator, so a reference to the view is valid

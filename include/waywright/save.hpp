@@ -45,10 +45,11 @@ namespace waywright {
 /// Reads a world from a stream, and leaves the stream after the last byte of the world. Open the stream in binary mode.
 /// Any byte of the stream may be wrong: the function checks the form, the checksum, and the hash of the items. It
 /// allocates memory only for the bytes that the stream really has. Error::index is the number of bytes that the
-/// function had read when it found the fault, with the wrong value, or 0 if a world refuses the domain or an item.
-/// BulkOptions::progress reports only the construction of the mesh, which begins after the function has read all bytes.
+/// function had read when it found the fault, and the bytes of the wrong value count, too. It is 0 if a world refuses
+/// the domain or an item. BulkOptions::progress reports only the construction of the mesh, which begins after the
+/// function has read all bytes.
 /// Errors: unreadable, if the stream fails; malformed, if the bytes are not a complete, unaltered saved world;
-/// not_supported, if the bytes have a later version of the format.
+/// not_supported, if the bytes have another version of the format.
 /// Cost: the cost of World::insert_all().
 [[nodiscard]] WAYWRIGHT_API Result<World> load_world(std::istream& in, const BulkOptions& options = {});
 

@@ -242,7 +242,7 @@ class WAYWRIGHT_API World {
   /// Cost: the cost of attempt() and the location of each point, twice. With a radius above 0, also the gaps that the
   /// disc can pass, for each area in which a point lies.
   [[nodiscard]] Result<bool> would_disconnect(std::span<const Change> changes, PointSpan points, double radius = 0.0);
-  /// Returns whether the insertion of one shape would disconnect some of the points, as this function does for changes.
+  /// Does the same for the insertion of one shape.
   [[nodiscard]] Result<bool> would_disconnect(const Shape& shape, PointSpan points, double radius = 0.0);
 
   /// @}
@@ -451,8 +451,9 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<Path> find_path(const PathQuery& query) const;
 
   /// Finds a path for each query, in the order of the queries. Each path is the path that find_path() gives, at the
-  /// same cost. The function uses up to 256 threads, at most one for each context and each query, of the job system or,
-  /// if `jobs` is null, threads that it starts. Error::index is the index of the refused query in `queries`.
+  /// same cost. The function uses at most 256 threads, at most one for each context, and at most one for each query:
+  /// threads of the job system or, if `jobs` is null, threads that the function starts. Error::index is the index of
+  /// the refused query in `queries`.
   /// Requires: at least one context.
   /// Errors: the errors of find_path().
   [[nodiscard]] Result<void> find_paths(std::span<const PathQuery> queries, std::span<QueryContext> contexts,

@@ -21,22 +21,22 @@ constexpr std::uint8_t kNotInDomain = 0;
 
 }  // namespace
 
-/// The destructor rolls the bridges back, unless done() was called.
+/// The destructor rolls the bridges back, unless keep() was called.
 class Bridges::Guard {
  public:
   explicit Guard(Bridges& bridges) : bridges_(bridges) { bridges_.begin(); }
   ~Guard() {
     bridges_.region_.clear();
-    if (!is_done_) bridges_.roll_back();
+    if (!is_kept_) bridges_.roll_back();
   }
   Guard(const Guard&) = delete;
   Guard& operator=(const Guard&) = delete;
 
-  void done() { is_done_ = true; }
+  void keep() { is_kept_ = true; }
 
  private:
   Bridges& bridges_;
-  bool is_done_ = false;
+  bool is_kept_ = false;
 };
 
 Bridges::Bridges(const Triangulation& triangulation) {
@@ -93,14 +93,15 @@ void Bridges::update(const Triangulation& triangulation, const mesh::TouchedFace
   Guard guard(*this);
   if (touched.are_most()) {
     rebuild(triangulation);
-    return guard.done();
+    guard.keep();
+    return;
   }
   region_.begin(triangulation, touched);
   grow_to_mesh(mesh);
   BridgeFinder finder(triangulation, scratch_);
   find_in_touched(triangulation, changed, finder);
   find_beyond(triangulation, changed, finder);
-  guard.done();
+  guard.keep();
 }
 
 /// Rebuilds the bridges. If most faces are touched, this costs less than an update of each touched face.

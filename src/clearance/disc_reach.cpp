@@ -43,7 +43,7 @@ void DiscReach::enter(const Cells& cells, const CellEdge& edge, State state, std
   } while (at != edge);
 }
 
-/// Gives the cells that the search from a cell has entered their final state.
+/// Sets the final state of all cells that the search from a cell has entered.
 void DiscReach::finish(State state) {
   for (const std::uint32_t key : entered_) set_state(key, state);
   if (state == State::reached) from_goal_.insert(from_goal_.end(), from_cell_.begin(), from_cell_.end());
@@ -73,8 +73,8 @@ bool DiscReach::is_reached(const Cells& cells, const CellEdge& edge) {
     }
     if (found == State::unknown) enter(cells, in, State::reached, from_goal_);
   }
-  // The search from the cell may have entered only some of the cells that are connected with it. Later calls would
-  // otherwise enter the others.
+  // If the search from the goal has ended first, the other search may have entered only some of the cells that are
+  // connected with its first cell. A later call for one of the others enters only that cell, and returns false, too.
   finish(State::not_reached);
   return false;
 }

@@ -252,11 +252,11 @@ auto ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<const Rank
 }
 
 /// The ranks [begin, end) are a region. For the items whose first corner lies in this region, inserts each side that
-/// LocalEdges can insert within the region. If `leaves_all` is true, it inserts none. Appends the other sides of these
+/// LocalEdges can insert within the region. If `defers_all` is true, it inserts none. Appends the other sides of these
 /// items to `late`. Returns the number of items of which it has inserted all sides.
 template <class Geometry>
 std::size_t ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<const RankedItem> items, std::size_t begin,
-                                                                   std::size_t end, bool leaves_all,
+                                                                   std::size_t end, bool defers_all,
                                                                    std::vector<LateSide>& late) {
   const auto at = [&](std::size_t rank) {
     const auto found = std::lower_bound(items.begin(), items.end(), rank,
@@ -270,7 +270,7 @@ std::size_t ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<con
     const std::size_t late_before = late.size();
     items_.for_each_side(items[i].slot, [&](std::uint32_t slot) {
       const Side& side = items_.side(slot);
-      if (leaves_all || !edges.force_edge(side.from, side.to, UseLists::single(slot))) late.push_back({i, slot});
+      if (defers_all || !edges.force_edge(side.from, side.to, UseLists::single(slot))) late.push_back({i, slot});
     });
     completed += late.size() == late_before ? 1 : 0;
   }

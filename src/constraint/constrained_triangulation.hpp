@@ -187,7 +187,7 @@ class ConstrainedTriangulation {
                               const threads::ThreadTeam& team);
   [[nodiscard]] std::vector<LateSide> insert_local_sides(std::span<const RankedItem> items, std::size_t corners,
                                                          const threads::ThreadTeam& team);
-  std::size_t insert_local_sides(std::span<const RankedItem> items, std::size_t begin, std::size_t end, bool leaves_all,
+  std::size_t insert_local_sides(std::span<const RankedItem> items, std::size_t begin, std::size_t end, bool defers_all,
                                  std::vector<LateSide>& late);
   template <class Batch>
   [[nodiscard]] bool is_refused_at(const Batch& batch, std::uint32_t slot);

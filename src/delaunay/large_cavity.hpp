@@ -170,7 +170,8 @@ class LargeCavity {
     triangles.clear();
     free_.assign(1, outer_[count - 1]);
     for (std::size_t i = 0; i < free_.size(); ++i) {
-      const Index base = free_[i];  // from the last vertex of its piece of the border to the first
+      // The half-edge `base` cuts off a piece of the border. It runs from the last vertex of this piece to the first.
+      const Index base = free_[i];
       const Index apex = origin_[previous(base)];
       triangles.push_back({origin_[next(base)], apex, origin_[base]});
       for (const Index h : {next(base), previous(base)}) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace waywright {
 namespace {
@@ -23,10 +25,36 @@ Change change_of(const ScriptLine& line) {
   return Change::insert(line.item.shape, line.item.id);
 }
 
-void sort_ids(std::vector<ItemId>& ids) {
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
+/// The items that may have changed since the last equal hash of a log: the items that a change names, and the items
+/// that have changed between a mark and a rewind to it.
+class ChangedSinceHash {
+ public:
+  void add(ItemId id) {
+    ids_.push_back(id);
+    if (!marks_.empty()) after_marks_.push_back(id);
+  }
+  void mark() { marks_.push_back(after_marks_.size()); }
+  /// Requires: mark() was called for this tick.
+  void rewind(std::uint64_t tick) {
+    const auto first = after_marks_.begin() + static_cast<std::ptrdiff_t>(marks_[tick - 1]);
+    ids_.insert(ids_.end(), first, after_marks_.end());
+    after_marks_.erase(first, after_marks_.end());
+    marks_.resize(tick);
+  }
+  /// The hash of a tick is equal: forgets the items.
+  void clear() { ids_.clear(); }
+  /// Returns the items in ascending order, each once.
+  [[nodiscard]] std::vector<ItemId> take() {
+    std::sort(ids_.begin(), ids_.end());
+    ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
+    return std::move(ids_);
+  }
+
+ private:
+  std::vector<ItemId> ids_;
+  std::vector<ItemId> after_marks_;  ///< the items that a change after the first mark names, without taken back changes
+  std::vector<std::size_t> marks_;   ///< by tick - 1: the size of `after_marks_` at the mark
+};
 
 /// Makes the changes of one log in a world.
 class Replayer {
@@ -38,7 +66,7 @@ class Replayer {
     if (is_change(line)) {
       changes_.push_back(change_of(line));
       lines_.push_back(line.line);
-      changed_.push_back(line.item.id);
+      changed_.add(line.item.id);
       return true;
     }
     if (is_of_history(line)) return mark_or_rewind(line);
@@ -52,7 +80,11 @@ class Replayer {
   /// Marks the present state of the world, or brings back a marked state.
   bool mark_or_rewind(const ScriptLine& line) {
     if (!apply_changes(result_.tick + 1)) return false;
-    if (line.kind == ScriptLineKind::mark) return world_.mark() != 0;
+    if (line.kind == ScriptLineKind::mark) {
+      changed_.mark();
+      return world_.mark() != 0;
+    }
+    changed_.rewind(line.tick);
     return world_.rewind(line.tick).ok();
   }
 
@@ -69,8 +101,7 @@ class Replayer {
       result_.last_same = line.tick;
       changed_.clear();
     } else {
-      result_.changed = std::move(changed_);
-      sort_ids(result_.changed);
+      result_.changed = changed_.take();
     }
     return result_.is_same;
   }
@@ -94,7 +125,7 @@ class Replayer {
   ReplayResult result_;
   std::vector<Change> changes_;       ///< since the last tick
   std::vector<std::uint32_t> lines_;  ///< of `changes_`
-  std::vector<ItemId> changed_;       ///< since the last hash
+  ChangedSinceHash changed_;          ///< since the last hash
 };
 
 /// Finds the first difference between two logs.
@@ -128,15 +159,15 @@ class Comparison {
     return i < log.lines.size() ? &log.lines[i] : nullptr;
   }
   /// A mark or a rewind counts as a change that has no item.
-  static bool is_a_change(const ScriptLine* line) {
+  static bool is_change_or_history(const ScriptLine* line) {
     return line != nullptr && (is_change(*line) || is_of_history(*line));
   }
 
   /// Compares two lines, which are changes or ticks; null is the end of a log. Stores the difference.
   bool differ(const ScriptLine* a, const ScriptLine* b) {
-    if (is_a_change(a) || is_a_change(b)) {
+    if (is_change_or_history(a) || is_change_or_history(b)) {
       if (a != nullptr && b != nullptr && a->kind == b->kind && a->item == b->item && a->tick == b->tick) {
-        if (is_change(*a)) changed_.push_back(a->item.id);
+        note(*a);
         return false;
       }
       return store(ReplayDifference::Kind::change, tick_ + 1, a, b);
@@ -149,15 +180,21 @@ class Comparison {
     return false;
   }
 
+  /// Notes which items a line changes, which both logs contain.
+  void note(const ScriptLine& line) {
+    if (is_change(line)) changed_.add(line.item.id);
+    if (line.kind == ScriptLineKind::mark) changed_.mark();
+    if (line.kind == ScriptLineKind::rewind) changed_.rewind(line.tick);
+  }
+
   bool store(ReplayDifference::Kind kind, std::uint64_t tick, const ScriptLine* a, const ScriptLine* b) {
     difference_.kind = kind;
     difference_.tick = tick;
     difference_.line = a == nullptr ? 0 : a->line;
     difference_.other_line = b == nullptr ? 0 : b->line;
-    if (is_a_change(a)) difference_.item = a->item.id;
-    if (is_a_change(b)) difference_.other_item = b->item.id;
-    if (kind == ReplayDifference::Kind::hash) difference_.changed = std::move(changed_);
-    sort_ids(difference_.changed);
+    if (is_change_or_history(a)) difference_.item = a->item.id;
+    if (is_change_or_history(b)) difference_.other_item = b->item.id;
+    if (kind == ReplayDifference::Kind::hash) difference_.changed = changed_.take();
     return true;
   }
 
@@ -166,7 +203,7 @@ class Comparison {
   std::size_t i_ = 0;
   std::size_t j_ = 0;
   std::uint64_t tick_ = 0;
-  std::vector<ItemId> changed_;  ///< since the last hash in both logs
+  ChangedSinceHash changed_;  ///< since the last hash in both logs
   ReplayDifference difference_;
 };
 

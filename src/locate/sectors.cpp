@@ -30,7 +30,7 @@ Sectors::Sector Sectors::find_in_zoom(const Point& point, Content zoomed) const 
 }
 
 void Sectors::remember(const Point& point, mesh::Vertex v, std::size_t vertex_count) {
-  if (vertex_count > kVerticesPerSector * whole_count()) grow();
+  if (vertex_count > kVerticesPerSector * top_count()) grow();
   sectors_.set(at(point).index, number(v));
 }
 
@@ -40,13 +40,13 @@ void Sectors::replace(const Point& point, mesh::Vertex v, mesh::Vertex other) {
 }
 
 // A sector stays divided after most of its vertices have been removed. If there are many more quarters than vertices,
-// most divided sectors are no longer crowded. Then this function first makes all sectors whole again; later calls
+// most divided sectors are no longer crowded. Then this function first removes all quarters and zooms; later calls
 // divide the sectors that are still crowded.
 void Sectors::divide(const Point& point, std::size_t vertex_count) {
-  const std::size_t quarters = sectors_.size() - whole_count();
-  if (quarters > 4 * vertex_count + whole_count()) {
-    for (std::size_t i = 0; i < whole_count(); ++i) sectors_.set(i, any_vertex(sectors_[i]));
-    sectors_.truncate(whole_count());
+  const std::size_t quarters = sectors_.size() - top_count();
+  if (quarters > 4 * vertex_count + top_count()) {
+    for (std::size_t i = 0; i < top_count(); ++i) sectors_.set(i, any_vertex(sectors_[i]));
+    sectors_.truncate(top_count());
     zooms_.clear();
   }
   const Sector sector = at(point);
@@ -75,18 +75,18 @@ Sectors::Content Sectors::any_vertex(Content content) const {
   return content;
 }
 
-// Replaces every whole sector by four: by its quarters if it is divided, otherwise by four sectors that remember the
+// Replaces every top sector by four: by its quarters if it is divided, otherwise by four sectors that remember the
 // same vertex.
 void Sectors::grow() {
   std::vector<Content> finer;
   finer.reserve(4 * sectors_.size());
-  const std::size_t count = whole_count();
+  const std::size_t count = top_count();
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t quarter = 0; quarter < 4; ++quarter) {
       finer.push_back(is_divided(sectors_[i]) ? sectors_[(sectors_[i] & ~kDivided) + quarter] : sectors_[i]);
     }
   }
-  // After the new whole sectors come the quarters of the divided ones. The loop also visits the entries that it
+  // After the new top sectors come the quarters of the divided ones. The loop also visits the entries that it
   // appends.
   for (std::size_t i = 0; i < finer.size(); ++i) {
     if ((finer[i] & kDivided) == 0) continue;
@@ -101,17 +101,17 @@ void Sectors::grow() {
     for (std::size_t quarter = 0; quarter < 4; ++quarter) finer.push_back(sectors_[old + quarter]);
   }
   sectors_ = memory::CompactArray(std::move(finer));
-  whole_shift_ -= 2;
+  top_shift_ -= 2;
 }
 
 void Sectors::fill(std::span<const Point> points, std::span<const Curve::Key> keys, std::uint32_t first) {
   int shift = kKeyBits - 2;
   while (shift > 2 && keys.size() > kVerticesPerSector << (kKeyBits - shift)) shift -= 2;
-  whole_shift_ = shift;
-  sectors_ = memory::CompactArray(std::vector<Content>(whole_count(), kNone));
+  top_shift_ = shift;
+  sectors_ = memory::CompactArray(std::vector<Content>(top_count(), kNone));
   zooms_.clear();
   std::size_t begin = 0;
-  for (std::size_t i = 0; i < whole_count(); ++i) {
+  for (std::size_t i = 0; i < top_count(); ++i) {
     const std::size_t end = end_of_range(keys, begin, [&](Curve::Key key) { return key >> shift == i; });
     const std::size_t count = end - begin;
     const auto first_here = first + static_cast<std::uint32_t>(begin);

@@ -23,7 +23,7 @@ namespace waywright::locate {
 /// removed in the meantime.
 ///
 /// The number of sectors grows with the number of vertices, so on evenly distributed vertices a walk is short in a
-/// world of any size. These sectors are equal squares, the *whole sectors*. If a sector contains many vertices, an
+/// world of any size. These sectors are equal squares, the *top sectors*. If a sector contains many vertices, an
 /// operation divides it into four quarters, and may later divide these again. So walks are short on unevenly
 /// distributed vertices, too. If a sector is as small as a square of the curve's grid (see Curve), it gets a finer
 /// curve of its own (a *zoom*). The division depends on the history of the world, but the result of a search does not.
@@ -53,12 +53,12 @@ class Sectors {
     return curve.in_squared_widths(squared_distance) > kFar * static_cast<double>(Curve::Key{1} << sector.shift);
   }
   /// For each sector in the block of this sector, calls visit(vertex) for at most one vertex that the sector, or a part
-  /// of it, remembers. The block of a whole sector is a square of 4 x 4 whole sectors, and the block of a quarter is
+  /// of it, remembers. The block of a top sector is a square of 4 x 4 top sectors, and the block of a quarter is
   /// its group of four quarters.
   template <class Visit>
   void for_each_around(const Sector& sector, Visit&& visit) const {
-    const bool is_whole = sector.zoom == kNoZoom && sector.shift == whole_shift_;
-    const std::size_t count = is_whole ? std::min(kBlock, whole_count()) : 4;
+    const bool is_top = sector.zoom == kNoZoom && sector.shift == top_shift_;
+    const std::size_t count = is_top ? std::min(kBlock, top_count()) : 4;
     sectors_.for_each(sector.index & ~(count - 1), count, [&](Content content) {
       const mesh::Vertex v = vertex_of(any_vertex(content));
       if (v != mesh::kNoVertex) visit(v);
@@ -76,7 +76,7 @@ class Sectors {
   void remember(const Point& point, mesh::Vertex v, std::size_t vertex_count);
   /// Prefetches the memory that says which vertex the sector of `point` remembers.
   WAYWRIGHT_ALWAYS_INLINE void prefetch(const Point& point) const {
-    sectors_.prefetch(static_cast<std::size_t>(curve_.key(point) >> whole_shift_));
+    sectors_.prefetch(static_cast<std::size_t>(curve_.key(point) >> top_shift_));
   }
   /// Call it when an operation removes the vertex `v` at `point`. If the sector of `point` remembers `v`, it then
   /// remembers `other`.
@@ -122,7 +122,7 @@ class Sectors {
   [[nodiscard]] const Zoom& zoom_of(Content content) const { return zooms_[content & ~(kDivided | kZoomed)]; }
 
   [[nodiscard]] Sector find(Curve::Key key) const {
-    return find_quarter(key, static_cast<std::size_t>(key >> whole_shift_), whole_shift_, kNoZoom);
+    return find_quarter(key, static_cast<std::size_t>(key >> top_shift_), top_shift_, kNoZoom);
   }
   [[nodiscard]] Sector find_quarter(Curve::Key key, std::size_t index, int shift, std::uint32_t zoom) const {
     Content content = sectors_[index];
@@ -135,7 +135,7 @@ class Sectors {
   }
   [[nodiscard]] Sector find_in_zoom(const Point& point, Content zoomed) const;
   void add_zoom(const Point& point, const Sector& sector);
-  [[nodiscard]] std::size_t whole_count() const { return std::size_t{1} << (kKeyBits - whole_shift_); }
+  [[nodiscard]] std::size_t top_count() const { return std::size_t{1} << (kKeyBits - top_shift_); }
   [[nodiscard]] static mesh::Vertex vertex_of(Content content) {
     return content == kNone ? mesh::kNoVertex : mesh::Vertex{content};
   }
@@ -152,9 +152,9 @@ class Sectors {
   void fill_quarter(const Sector& sector, std::span<const Point> points, std::uint32_t first, std::span<Entry> entries);
 
   Curve curve_;
-  int whole_shift_ = kKeyBits - 2;
+  int top_shift_ = kKeyBits - 2;
   std::vector<Zoom> zooms_;
-  memory::CompactArray sectors_;  ///< the whole sectors along the curve, then groups of four quarters at multiples of 4
+  memory::CompactArray sectors_;  ///< the top sectors along the curve, then groups of four quarters at multiples of 4
 };
 
 }  // namespace waywright::locate

@@ -11,7 +11,7 @@ namespace waywright::nav {
 
 using mesh::Face;
 
-/// The destructor rolls the abstraction back, unless done() was called.
+/// The destructor rolls the abstraction back, unless keep() was called.
 class Abstraction::Guard {
  public:
   explicit Guard(Abstraction& abstraction) : abstraction_(abstraction) {
@@ -19,18 +19,18 @@ class Abstraction::Guard {
     abstraction_.core_.begin();
   }
   ~Guard() {
-    if (is_done_) return;
+    if (is_kept_) return;
     abstraction_.components_.roll_back();
     abstraction_.core_.roll_back();
   }
   Guard(const Guard&) = delete;
   Guard& operator=(const Guard&) = delete;
 
-  void done() { is_done_ = true; }
+  void keep() { is_kept_ = true; }
 
  private:
   Abstraction& abstraction_;
-  bool is_done_ = false;
+  bool is_kept_ = false;
 };
 
 Abstraction::Abstraction(const Triangulation& triangulation) : components_(triangulation), core_(triangulation) {}
@@ -49,7 +49,8 @@ void Abstraction::update(const Triangulation& triangulation, const mesh::Touched
   if (touched.are_most()) {
     rebuild(triangulation);
     is_updated_ = true;
-    return guard.done();
+    guard.keep();
+    return;
   }
   collect_new_faces(triangulation, touched);
   remove_common_polygons();
@@ -61,7 +62,7 @@ void Abstraction::update(const Triangulation& triangulation, const mesh::Touched
     core_.update(mesh, changed, new_faces_);
   }
   is_updated_ = true;
-  guard.done();
+  guard.keep();
 }
 
 void Abstraction::commit() {

@@ -27,7 +27,7 @@ void Components::update(const Triangulation& triangulation, const Changes& chang
   remove_changed_faces(changes.changed);
   find_groups(mesh, changes.new_faces);
   remove_from_covers(changes);
-  find_remainders(mesh, changes.may_divide);
+  find_old_parts(mesh, changes.may_divide);
   assign_components(mesh);
   cover_new_groups(triangulation, changes);
   for (const std::uint32_t polygon : changes.inserted) cover_with(triangulation, polygon, changes.inserted);
@@ -118,24 +118,23 @@ void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Fac
   });
 }
 
-// Makes one component of each set of connected groups and the remainders that they connect. A remainder is either a
-// piece, whose faces a search has listed, or the rest of an old component after its pieces (Remainder). If the set has
+// Makes one component of each set of connected groups and the old parts that they connect. An old part is either a
+// piece, whose faces a search has listed, or the rest of an old component after its pieces (OldPart). If the set has
 // such rests, the component takes the id of the largest of them.
 void Components::assign_components(const mesh::TriangleMesh& mesh) {
-  for (const Remainder& remainder : remainders_) {
-    Group& group = groups_[root_of(group_sets_, remainder.group)];
-    if (remainder.is_piece || (group.id != kNone && remainder.size <= group.size)) continue;
-    group.id = remainder.component;
-    group.size = remainder.size;
+  for (const OldPart& part : old_parts_) {
+    Group& group = groups_[root_of(group_sets_, part.group)];
+    if (part.is_piece || (group.id != kNone && part.size <= group.size)) continue;
+    group.id = part.component;
+    group.size = part.size;
   }
   for (Group& group : groups_) group.size = 0;
-  for (const Remainder& remainder : remainders_) {
-    Group& group = groups_[root_of(group_sets_, remainder.group)];
-    if (group.id == kNone) group.id = add_record(0, records_[remainder.component].cover);
-    group.size += remainder.size;
+  for (const OldPart& part : old_parts_) {
+    Group& group = groups_[root_of(group_sets_, part.group)];
+    if (group.id == kNone) group.id = add_record(0, records_[part.component].cover);
+    group.size += part.size;
   }
-  for (const Remainder& remainder : remainders_)
-    move_to(mesh, remainder, groups_[root_of(group_sets_, remainder.group)].id);
+  for (const OldPart& part : old_parts_) move_to(mesh, part, groups_[root_of(group_sets_, part.group)].id);
   for (std::uint32_t i = 0; i < groups_.size(); ++i) {
     Group& group = groups_[i];
     Group& first = groups_[root_of(group_sets_, i)];
@@ -151,20 +150,20 @@ void Components::assign_components(const mesh::TriangleMesh& mesh) {
   }
 }
 
-void Components::move_to(const mesh::TriangleMesh& mesh, const Remainder& remainder, Id id) {
-  if (id == remainder.component) return;
-  if (remainder.is_piece) {
-    for (std::uint32_t i = remainder.begin; i < remainder.end; ++i) set_id(piece_faces_[i], id);
+void Components::move_to(const mesh::TriangleMesh& mesh, const OldPart& part, Id id) {
+  if (id == part.component) return;
+  if (part.is_piece) {
+    for (std::uint32_t i = part.begin; i < part.end; ++i) set_id(piece_faces_[i], id);
     return;
   }
   stack_.clear();
   const auto visit = [&](Face f) {
-    if (ids_[number(f)] != remainder.component) return;
+    if (ids_[number(f)] != part.component) return;
     set_id(f, id);
     stack_.push_back(f);
   };
-  for (std::uint32_t i = remainder.begin; i < remainder.end; ++i) {
-    if (root_of(group_sets_, old_neighbours_[i].group) == root_of(group_sets_, remainder.group))
+  for (std::uint32_t i = part.begin; i < part.end; ++i) {
+    if (root_of(group_sets_, old_neighbours_[i].group) == root_of(group_sets_, part.group))
       visit(old_neighbours_[i].face);
   }
   while (!stack_.empty()) {
@@ -175,7 +174,7 @@ void Components::move_to(const mesh::TriangleMesh& mesh, const Remainder& remain
       if (PointAgent::can_cross(mesh, h)) visit(mesh::face(mesh.twin(h)));
     }
   }
-  free_record(remainder.component);
+  free_record(part.component);
 }
 
 Components::Id Components::add_record(std::uint32_t size, Set cover) {
@@ -230,7 +229,7 @@ void Components::count_memory(MemoryUse& use) const {
   records_.count_memory(use, &MemoryUse::abstraction);
   covers_.count_memory(use, &MemoryUse::abstraction);
   memory::count_spare(use, faces_, groups_, group_sets_, regions_, old_neighbours_, searches_, search_sets_,
-                      alternating_, remainders_, piece_faces_, stack_, flooded_, reached_, around_, sides_, polygons_,
+                      alternating_, old_parts_, piece_faces_, stack_, flooded_, reached_, around_, sides_, polygons_,
                       removed_, added_, enclosed_, covered_, edges_);
   for (const Search& search : searches_) memory::count_spare(use, search.found);
 }
@@ -241,7 +240,7 @@ void Components::shrink_to_fit() {
   marks_.shrink_to_fit();
   covers_.shrink_to_fit();
   memory::release(faces_, groups_, group_sets_, regions_, old_neighbours_, searches_, search_sets_, alternating_,
-                  remainders_, piece_faces_, stack_, flooded_, reached_, around_, sides_, polygons_, removed_, added_,
+                  old_parts_, piece_faces_, stack_, flooded_, reached_, around_, sides_, polygons_, removed_, added_,
                   enclosed_, covered_, edges_);
 }
 

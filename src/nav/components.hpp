@@ -140,9 +140,9 @@ class Components {
     std::uint32_t last_in_queue = 0;   ///< of a root: the last search in the queue of its set, or kNone
     std::uint32_t round = 0;           ///< of a root: the last round of list_unfinished() that has met its set
   };
-  /// Old faces of one component that are still connected: a piece, whose faces a search has listed, or the rest of the
+  /// A connected part of the old faces of one component: a piece, whose faces a search has listed, or the rest of the
   /// component, whose faces no search has listed completely.
-  struct Remainder {
+  struct OldPart {
     Id component;
     std::uint32_t group;  ///< a group to which it is connected
     std::uint32_t size;
@@ -169,14 +169,14 @@ class Components {
   void remove_changed_faces(std::span<const mesh::Face> changed);
   void find_groups(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> new_faces);
   void assign_components(const mesh::TriangleMesh& mesh);
-  void move_to(const mesh::TriangleMesh& mesh, const Remainder& remainder, Id id);
+  void move_to(const mesh::TriangleMesh& mesh, const OldPart& part, Id id);
   void set_id(mesh::Face f, Id id) { ids_.write(number(f), id); }
   [[nodiscard]] Id add_record(std::uint32_t size, Set cover);
   void set_size(Id component, std::uint32_t size);
   void free_record(Id component);
 
   // Finding pieces.
-  void find_remainders(const mesh::TriangleMesh& mesh, bool may_be_divided);
+  void find_old_parts(const mesh::TriangleMesh& mesh, bool may_be_divided);
   void find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end);
   void find_regions(const mesh::TriangleMesh& mesh);
   void start_searches(std::span<const OldNeighbour> old_neighbours);
@@ -248,7 +248,7 @@ class Components {
   std::vector<std::uint32_t> search_sets_;    ///< the sets of searches that have met, see root_of()
   std::vector<std::uint32_t> alternating_;    ///< the searches that search_beside() advances alternately
   std::uint32_t round_ = 0;                   ///< see Search::round
-  std::vector<Remainder> remainders_;         ///< of all old components
+  std::vector<OldPart> old_parts_;            ///< of all old components
   std::vector<mesh::Face> piece_faces_;       ///< the faces of all pieces, piece by piece
   std::vector<mesh::Face> stack_;             ///< visited faces whose neighbours are not visited yet
   std::vector<Id> flooded_;                   ///< the components that the flood has visited

@@ -28,10 +28,10 @@ namespace waywright::nav {
 using mesh::Face;
 using mesh::HalfEdge;
 
-/// Finds the remaining faces of the old components. If none of them can be divided, all groups with an old neighbour in
-/// one component are connected, and no search is necessary.
-void Components::find_remainders(const mesh::TriangleMesh& mesh, bool may_be_divided) {
-  remainders_.clear();
+/// Finds the connected parts of the old faces of each component. If no component can be divided, all groups with an old
+/// neighbour in one component are connected, and no search is necessary.
+void Components::find_old_parts(const mesh::TriangleMesh& mesh, bool may_be_divided) {
+  old_parts_.clear();
   piece_faces_.clear();
   const auto count = static_cast<std::uint32_t>(old_neighbours_.size());
   for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
@@ -42,7 +42,7 @@ void Components::find_remainders(const mesh::TriangleMesh& mesh, bool may_be_div
       is_in_one = is_in_one && root_of(group_sets_, old_neighbours_[end].group) == root_of(group_sets_, first.group);
     }
     if (is_in_one) {
-      remainders_.push_back({first.component, first.group, records_[first.component].size, false, begin, end});
+      old_parts_.push_back({first.component, first.group, records_[first.component].size, false, begin, end});
     } else {
       find_pieces(mesh, begin, end);
     }
@@ -75,9 +75,9 @@ void Components::find_pieces(const mesh::TriangleMesh& mesh, std::uint32_t begin
   for (std::uint32_t i = 0; i < count; ++i) {
     if (i == rest || root_of(search_sets_, i) != i || !is_finished(i)) continue;
     add_piece(i, component);
-    size -= remainders_.back().size;
+    size -= old_parts_.back().size;
   }
-  remainders_.push_back({component, searches_[rest].group, size, false, begin, end});
+  old_parts_.push_back({component, searches_[rest].group, size, false, begin, end});
 }
 
 /// Makes one region of each set of groups that share walls.
@@ -250,7 +250,7 @@ void Components::add_piece(std::uint32_t set, Id component) {
     if (i == set) break;
   }
   const auto end = static_cast<std::uint32_t>(piece_faces_.size());
-  remainders_.push_back({component, searches_[set].group, end - begin, true, begin, end});
+  old_parts_.push_back({component, searches_[set].group, end - begin, true, begin, end});
 }
 
 }  // namespace waywright::nav

@@ -21,7 +21,7 @@ class DeadEnds {
   /// Returns whether the edge `exit` of the face `f` is a wall, or only a dead end without a goal lies beyond it.
   [[nodiscard]] bool is_no_exit(mesh::Face f, mesh::HalfEdge exit) const {
     if (core_ == nullptr) return !nav::PointAgent::can_cross(*mesh_, exit);
-    return !core_->is_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || is_before_tree(exit));
+    return !core_->is_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || leads_to_no_goal(exit));
   }
   /// Returns the edges of a face across which a path to a goal may lead: no walls, and no edges into a dead end without
   /// a goal. The result has one bit for each half-edge of the face.
@@ -37,7 +37,7 @@ class DeadEnds {
     return up == mesh::kNoHalfEdge ? 0 : 1U << mesh::index_in(f, up);
   }
   /// Returns whether the face lies in a dead end, and no goal face lies in its subtree.
-  [[nodiscard]] bool is_in_dead_end(mesh::Face f) const {
+  [[nodiscard]] bool is_in_dead_end_without_goal(mesh::Face f) const {
     return core_ != nullptr && !core_->is_core(f) && goals_below(f) == 0;
   }
   /// Calls visit(face) for each goal face and, if there is a core, for each face between a goal face and the core. May
@@ -58,7 +58,7 @@ class DeadEnds {
  private:
   /// Returns whether only a dead end without a goal lies beyond the edge. Requires: there is a core, the edge is no
   /// wall, and it does not lead from one face of the core to another.
-  [[nodiscard]] bool is_before_tree(mesh::HalfEdge exit) const {
+  [[nodiscard]] bool leads_to_no_goal(mesh::HalfEdge exit) const {
     if (core_->leads_up(exit)) return goals_below(mesh::face(exit)) == goal_count_;
     return goals_below(mesh::face(mesh_->twin(exit))) == 0;
   }

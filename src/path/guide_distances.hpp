@@ -60,7 +60,8 @@ class GuideDistances {
   /// distances and marks say nothing about the edge. If `h` is the corner of a pivot, the distance of its vertex says
   /// nothing about this pivot.
   [[nodiscard]] bool is_unknown(mesh::HalfEdge h) const {
-    return dead_ends_.is_in_dead_end(mesh::face(h)) || dead_ends_.is_in_dead_end(mesh::face(map_->mesh().twin(h)));
+    return dead_ends_.is_in_dead_end_without_goal(mesh::face(h)) ||
+           dead_ends_.is_in_dead_end_without_goal(mesh::face(map_->mesh().twin(h)));
   }
   /// Returns whether a path of the guide that is shorter than the limit may lead through the vertex, whose position is
   /// `at`.

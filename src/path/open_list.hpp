@@ -7,8 +7,8 @@
 namespace waywright::path {
 
 /// The open nodes of a search. pop() returns the node with the least bound. Of nodes with equal bounds, it returns the
-/// node with the smallest number, which was made first. The list is a heap with four children per node: it has fewer
-/// levels than a binary heap, and the children of a node are adjacent in memory.
+/// node with the smallest number. (In most searches, this node was made first.) The list is a heap with four children
+/// per node: it has fewer levels than a binary heap, and the children of a node are adjacent in memory.
 class OpenList {
  public:
   void clear() { entries_.clear(); }

@@ -24,7 +24,7 @@ void TraStar::find(Path& path) {
   nodes_.clear();
   open_.clear();
   clear_marks();
-  mark_passages_to_goal();
+  mark_faces_above_goal();
   for (const HalfEdge h : ends_->start_faces()) mark(mesh::face(h), kChosen);
   for (const HalfEdge h : ends_->start_faces()) {
     if (is_connected_to_goal(mesh::face(h))) leave_start_face(h);
@@ -62,10 +62,10 @@ bool TraStar::is_connected_to_goal(Face f) const {
   });
 }
 
-void TraStar::mark_passages_to_goal() {
+void TraStar::mark_faces_above_goal() {
   tops_.clear();
   for (const HalfEdge h : ends_->goal_faces()) climb_from_goal(mesh::face(h));
-  if (ends_->goal_faces().size() > 1) mark_passages_between_goals();
+  if (ends_->goal_faces().size() > 1) mark_faces_with_goal_outside();
 }
 
 void TraStar::climb_from_goal(Face goal) {
@@ -83,7 +83,7 @@ void TraStar::climb_from_goal(Face goal) {
 /// - a top (the last face on the way up from a goal face), if its component has a second top;
 /// - a face that hangs on a goal face, on a face with two passages down to the goal, or on a face with the mark
 ///   kGoalOutside.
-void TraStar::mark_passages_between_goals() {
+void TraStar::mark_faces_with_goal_outside() {
   const auto component = [&](Face top) { return components_->component_of(top); };
   std::sort(tops_.begin(), tops_.end(), [&](Face a, Face b) { return component(a) < component(b); });
   for (std::size_t i = 1; i < tops_.size(); ++i) {
@@ -106,7 +106,7 @@ void TraStar::mark_passages_between_goals() {
 }
 
 /// Returns the passages that lead down towards the goal and, if the face has the mark kGoalOutside, also those that
-/// lead up. In a tree without a core, the result of passages_on() does not depend on which face is the root.
+/// lead up. In a tree without a core, the result of passages_to_goal() does not depend on which face is the root.
 unsigned TraStar::passages_above_goal(Face f, std::uint32_t marks) const {
   return (marks & kGoalOutside) == 0 ? passages_down(f) : passages_down(f) | passages_up(f);
 }
@@ -127,7 +127,7 @@ unsigned TraStar::passages_down(Face f) const {
 // Seen from inside the face, the left end of an edge is its target.
 void TraStar::leave_start_face(HalfEdge h) {
   const Face f = mesh::face(h);
-  const unsigned passages = passages_on(f, marks_of(f));
+  const unsigned passages = passages_to_goal(f, marks_of(f));
   for (const HalfEdge exit : {h, mesh::next(h), mesh::previous(h)}) {
     if ((passages >> mesh::index_in(f, exit) & 1U) == 0) continue;
     follow(exit, ChannelNode::kNone,
@@ -161,7 +161,7 @@ void TraStar::follow(HalfEdge exit, std::uint32_t before, Sight sight) {
     if ((marks & kChosen) != 0) return;
     const HalfEdge left = mesh::previous(entry);
     const HalfEdge right = mesh::next(entry);
-    const unsigned passages = passages_on(f, marks);
+    const unsigned passages = passages_to_goal(f, marks);
     const bool goes_left = (passages >> mesh::index_in(f, left) & 1U) != 0;
     const bool goes_right = (passages >> mesh::index_in(f, right) & 1U) != 0;
     if ((marks & kGoal) != 0 || (goes_left && goes_right)) return open(exit, entry, before, sight);
@@ -197,7 +197,7 @@ void TraStar::collect_channel(std::uint32_t goal_node) {
     for (HalfEdge entry = mesh_->twin(node.exit); entry != node.entry; entry = mesh_->twin(exits_.back())) {
       const Face f = mesh::face(entry);
       const HalfEdge left = mesh::previous(entry);
-      const bool goes_left = (passages_on(f, marks_of(f)) >> mesh::index_in(f, left) & 1U) != 0;
+      const bool goes_left = (passages_to_goal(f, marks_of(f)) >> mesh::index_in(f, left) & 1U) != 0;
       exits_.push_back(goes_left ? left : mesh::next(entry));
     }
   }

@@ -57,11 +57,11 @@ class TraStar {
   }
   void mark(mesh::Face f, std::uint32_t mark);
   [[nodiscard]] bool is_connected_to_goal(mesh::Face f) const;
-  void mark_passages_to_goal();
+  void mark_faces_above_goal();
   void climb_from_goal(mesh::Face goal);
-  void mark_passages_between_goals();
+  void mark_faces_with_goal_outside();
   /// Returns the passages through which a path to the goal can leave the face, as one bit for each of its half-edges.
-  [[nodiscard]] unsigned passages_on(mesh::Face f, std::uint32_t marks) const {
+  [[nodiscard]] unsigned passages_to_goal(mesh::Face f, std::uint32_t marks) const {
     return (marks & kAboveGoal) == 0 ? passages_up(f) : passages_above_goal(f, marks);
   }
   /// Returns the passage up if the face lies in a dead end. If it is a face of the core, returns the passages to other
@@ -91,8 +91,8 @@ class TraStar {
   OpenList open_;                             ///< indices in `nodes_`
   memory::ZeroedArray<std::uint32_t> marks_;  ///< by face: the stamp plus the marks, if this search wrote them
   memory::Stamp stamp_;                       ///< its value is a multiple of kMarks
-  /// The last faces on the ways up from the goal faces. mark_passages_between_goals() then visits the faces below them,
-  /// and uses the list as a stack.
+  /// The last faces on the ways up from the goal faces. mark_faces_with_goal_outside() then visits the faces below
+  /// them, and uses the list as a stack.
   std::vector<mesh::Face> tops_;
   std::vector<std::uint32_t> chosen_;  ///< the nodes of the path, from the start to the goal
   std::vector<mesh::HalfEdge> exits_;  ///< the edges that the channel crosses, in the faces that it leaves

@@ -81,7 +81,7 @@ class BoxTree {
    public:
     explicit Descent(BoxTree& tree) : tree_(tree) {}
     ~Descent() {
-      for (std::uint32_t at = is_done_ ? kNone : node_; at != kNone;) {
+      for (std::uint32_t at = is_kept_ ? kNone : node_; at != kNone;) {
         const std::uint32_t parent = tree_.nodes_[at].parent;
         tree_.free_if_empty(at);
         at = parent;
@@ -92,12 +92,12 @@ class BoxTree {
 
     [[nodiscard]] std::uint32_t node() const { return node_; }
     void go_to(std::uint32_t node) { node_ = node; }
-    void done() { is_done_ = true; }
+    void keep() { is_kept_ = true; }
 
    private:
     BoxTree& tree_;
     std::uint32_t node_ = kNone;
-    bool is_done_ = false;
+    bool is_kept_ = false;
   };
 
   void descend(const Box& box, Descent& descent);
@@ -161,7 +161,7 @@ auto BoxTree<Bucket>::insert(const Box& box, const Value& value) -> Handle {
   Bucket& entries = nodes_[node].entries;
   entries.add(box, value, free_handles_.first());
   // Nothing can fail from here on.
-  descent.done();
+  descent.keep();
   const Handle handle = free_handles_.pop(entries_of_handles_[free_handles_.first()].index);
   entries_of_handles_[handle] = {node, static_cast<std::uint32_t>(entries.size() - 1)};
   for (std::uint32_t at = node; at != kNone; at = nodes_[at].parent) {

@@ -151,12 +151,12 @@ class Answer {
  public:
   explicit Answer(PathChanges& changes) : changes_(changes) { clear(); }
   ~Answer() {
-    if (!is_done_) clear();
+    if (!is_kept_) clear();
   }
   Answer(const Answer&) = delete;
   Answer& operator=(const Answer&) = delete;
 
-  void done() { is_done_ = true; }
+  void keep() { is_kept_ = true; }
 
  private:
   void clear() {
@@ -166,7 +166,7 @@ class Answer {
   }
 
   PathChanges& changes_;
-  bool is_done_ = false;
+  bool is_kept_ = false;
 };
 
 }  // namespace
@@ -222,18 +222,18 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
       impl_.free_slots.pop_back();
     }
     ~Addition() {
-      if (!is_done_) impl_.drop(slot_);
+      if (!is_kept_) impl_.drop(slot_);
     }
     Addition(const Addition&) = delete;
     Addition& operator=(const Addition&) = delete;
 
     [[nodiscard]] std::uint32_t slot() const { return slot_; }
-    void done() { is_done_ = true; }
+    void keep() { is_kept_ = true; }
 
    private:
     Impl& impl_;
     std::uint32_t slot_ = 0;
-    bool is_done_ = false;
+    bool is_kept_ = false;
   };
 
   void add_boxes(std::uint32_t slot);
@@ -496,7 +496,7 @@ void PathWatch::add(std::uint64_t key, const Path& path) {
     impl_->keys.move(found->second, addition.slot());
     impl_->drop(std::exchange(found->second, addition.slot()));
   }
-  addition.done();
+  addition.keep();
 }
 
 bool PathWatch::remove(std::uint64_t key) {
@@ -525,7 +525,7 @@ void PathWatch::update(const World& world, PathChanges& changes) {
   impl_->keys.take_marked(changes.may_be_too_long);
   impl_->keys.replace_by_keys(changes.blocked);
   impl_->keys.replace_by_keys(changes.may_be_blocked);
-  answer.done();
+  answer.keep();
   impl_->version = world.version();
   impl_->had_crossings = Impl::has_crossings(world);
 }

@@ -20,7 +20,7 @@ bool Replica::add_handle_if_any() {
 // before the changes for the next snapshot.
 void Replica::remove_handle() noexcept {
   if (handles_.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
-  if (Replica* const other = std::exchange(released_later_, nullptr)) other->release();
+  if (Replica* const other = std::exchange(released_with_last_handle_, nullptr)) other->release();
   release();
 }
 
@@ -64,15 +64,15 @@ Replica* SnapshotPool::add(World&& copy) {
 
 void SnapshotPool::hand_out(Replica* replica) {
   replicas_.erase(std::find(replicas_.begin(), replicas_.end(), replica));
-  release_held();
-  replica->release_later(take_unneeded());
+  release_too_old();
+  replica->release_with_last_handle(take_unneeded());
   replicas_.push_back(replica);
   limit_ = kFewChanges + replica->world.item_count() / kItemsForEachChange;
   changed_.set_limit(limit_);
   changed_.forget_until(replicas_.front()->world.version());
 }
 
-void SnapshotPool::release_held() {
+void SnapshotPool::release_too_old() {
   std::erase_if(replicas_, [&](Replica* replica) {
     const bool is_kept = replica->is_free() || can_follow(*replica);
     if (!is_kept) replica->release();

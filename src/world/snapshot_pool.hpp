@@ -46,7 +46,7 @@ class Replica {
   void release() noexcept;
   /// Makes remove_handle() of the last handle of this replica call release() on `replica`, too. Requires: this replica
   /// has no handle yet.
-  void release_later(Replica* replica) { released_later_ = replica; }
+  void release_with_last_handle(Replica* replica) { released_with_last_handle_ = replica; }
 
   World world;
 
@@ -55,7 +55,7 @@ class Replica {
 
   std::atomic<std::size_t> handles_ = 0;
   std::atomic<std::uint32_t> owners_ = 1;
-  Replica* released_later_ = nullptr;
+  Replica* released_with_last_handle_ = nullptr;
 };
 
 }  // namespace detail
@@ -118,7 +118,7 @@ class SnapshotPool {
 
   /// Removes from the pool each replica that readers hold and that cannot follow the world any more. Then removes the
   /// oldest replica if the pool has kMost. Requires: the replica for hand_out() is not in the pool.
-  void release_held();
+  void release_too_old();
   /// Takes one free replica that the pool does not need out of the pool and returns it, or returns null.
   [[nodiscard]] detail::Replica* take_unneeded();
   [[nodiscard]] bool can_follow(const detail::Replica& replica) const {

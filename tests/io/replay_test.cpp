@@ -122,6 +122,20 @@ TEST(Replay, StopsAtTheFirstHashThatDiffers) {
   EXPECT_FALSE(result.refusal.has_value());
 }
 
+TEST(Replay, NamesItemsThatARewindHasChanged) {
+  // The rewind leads to a tick before the last equal hash, so it also takes back the insertion of item 1.
+  const std::string lines = "mark 1\npoint 1 1 2\ntick 1 " + kOnePoint + "\npoint 2 5 5\nrewind 1\nrewind 1\n";
+  const ReplayResult result = replay(parse(log_with(lines + "point 3 6 6\ntick 2 " + kNothing + "\n"))).value();
+  EXPECT_FALSE(result.is_same);
+  EXPECT_EQ(result.last_same, 1U);
+  EXPECT_EQ(result.changed, (std::vector<ItemId>{1, 2, 3}));
+  const auto difference = find_difference(parse(log_with(lines + "tick 2 " + kNothing + "\n")),
+                                          parse(log_with(lines + "tick 2 " + kOnePoint + "\n")));
+  ASSERT_TRUE(difference.has_value());
+  EXPECT_EQ(difference->kind, ReplayDifference::Kind::hash);
+  EXPECT_EQ(difference->changed, (std::vector<ItemId>{1, 2}));
+}
+
 TEST(Replay, StopsAtAChangeThatTheWorldRefuses) {
   const ReplayResult in_tick = replay(parse(log_with("point 1 1 2\ntick 1\nremove 1\nremove 9\ntick 2\n"))).value();
   EXPECT_FALSE(in_tick.is_same);
