@@ -82,7 +82,7 @@ struct ErrorWords {
   std::string text;
   const char* literal = nullptr;
   /// The noun for the refused element of a list, for example `change`. Error::index is the index of this element.
-  const char* list = nullptr;
+  const char* element_noun = nullptr;
   PointName point_name;  ///< the name of the refused point, if the error is about a point
   Point point;
   Box domain;

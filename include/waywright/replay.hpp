@@ -94,9 +94,9 @@ struct ReplayResult {
   std::uint64_t tick = 0;        ///< the first tick whose hash differs, or in which the world refused a change
   std::uint64_t last_same = 0;   ///< the last tick before `tick` whose hash is equal, or 0
   std::uint32_t line = 0;        ///< the line of the hash or of the refused change in the script
-  ItemsHash expected;            ///< the hash in the log
-  ItemsHash computed;            ///< the hash of the replayed world
-  std::optional<Error> refusal;  ///< why the world refused a change, if it did
+  ItemsHash expected;            ///< if a hash differs: the hash in the log
+  ItemsHash computed;            ///< if a hash differs: the hash of the replayed world
+  std::optional<Error> refusal;  ///< why the world refused a change or a rewind, if it did
   std::vector<ItemId> changed;   ///< the items that changed after tick `last_same`, ascending; or the refused item
 };
 

@@ -44,10 +44,10 @@ inline constexpr char kEmptySnapshot[] =
 /// the world in this replica. The world keeps up to two such replicas for later snapshots. Suppose that the readers
 /// release each snapshot when the next one exists. Then the third call uses the replica of the first snapshot again and
 /// repeats the changes since the first call, the fourth call uses the replica of the second snapshot, and so on. If
-/// readers hold all replicas, the call makes a new one. The first call makes a replica for this reason, and so does
-/// each call at which readers hold more snapshots at once than ever before. After the first call, each operation also
-/// records the ids of the items that it changes, 16 bytes for each. Each snapshot that readers hold takes as much
-/// memory as a clone(). World::shrink_to_fit() frees the replicas that no reader holds.
+/// readers hold all replicas, the call makes a new one. The first call makes a replica, because there is none yet.
+/// Later, a call makes one if readers hold more snapshots at once than ever before. After the first call, each
+/// operation also records the ids of the items that it changes, 16 bytes for each. Each snapshot that readers hold
+/// takes as much memory as a clone(). World::shrink_to_fit() frees the replicas that no reader holds.
 ///
 /// When the last handle of an immutable world is released or destroyed, World::publish() may use its memory again. If
 /// the world does not keep this memory, or has been destroyed, the thread with the last handle frees it. A snapshot can

@@ -91,7 +91,7 @@ void Bridges::update(const Triangulation& triangulation, const mesh::TouchedFace
                      const ChangedWalls& changed) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   Guard guard(*this);
-  if (touched.are_most()) {
+  if (touched.are_most_faces()) {
     rebuild(triangulation);
     guard.keep();
     return;

@@ -33,8 +33,9 @@ class ChangedSinceHash {
     ids_.push_back(id);
     if (!marks_.empty()) after_marks_.push_back(id);
   }
+  [[nodiscard]] bool has_mark(std::uint64_t tick) const { return tick != 0 && tick <= marks_.size(); }
   void mark() { marks_.push_back(after_marks_.size()); }
-  /// Requires: mark() was called for this tick.
+  /// Requires: has_mark(tick).
   void rewind(std::uint64_t tick) {
     const auto first = after_marks_.begin() + static_cast<std::ptrdiff_t>(marks_[tick - 1]);
     ids_.insert(ids_.end(), first, after_marks_.end());
@@ -52,7 +53,7 @@ class ChangedSinceHash {
 
  private:
   std::vector<ItemId> ids_;
-  std::vector<ItemId> after_marks_;  ///< the items that a change after the first mark names, without taken back changes
+  std::vector<ItemId> after_marks_;  ///< the items of the changes since the first mark that no rewind has taken back
   std::vector<std::size_t> marks_;   ///< by tick - 1: the size of `after_marks_` at the mark
 };
 
@@ -84,8 +85,16 @@ class Replayer {
       changed_.mark();
       return world_.mark() != 0;
     }
-    changed_.rewind(line.tick);
-    return world_.rewind(line.tick).ok();
+    const Result<void> done = world_.rewind(line.tick);
+    if (done.ok()) {
+      changed_.rewind(line.tick);
+    } else {
+      result_.is_same = false;
+      result_.tick = result_.tick + 1;
+      result_.line = line.line;
+      result_.refusal = done.error();
+    }
+    return done.ok();
   }
 
   bool end_tick(const ScriptLine& line) {
@@ -123,7 +132,7 @@ class Replayer {
 
   World& world_;
   ReplayResult result_;
-  std::vector<Change> changes_;       ///< since the last tick
+  std::vector<Change> changes_;       ///< since the last tick, mark or rewind
   std::vector<std::uint32_t> lines_;  ///< of `changes_`
   ChangedSinceHash changed_;          ///< since the last hash
 };
@@ -180,11 +189,11 @@ class Comparison {
     return false;
   }
 
-  /// Notes which items a line changes, which both logs contain.
+  /// Notes the change, mark or rewind of a line that both logs contain.
   void note(const ScriptLine& line) {
     if (is_change(line)) changed_.add(line.item.id);
     if (line.kind == ScriptLineKind::mark) changed_.mark();
-    if (line.kind == ScriptLineKind::rewind) changed_.rewind(line.tick);
+    if (line.kind == ScriptLineKind::rewind && changed_.has_mark(line.tick)) changed_.rewind(line.tick);
   }
 
   bool store(ReplayDifference::Kind kind, std::uint64_t tick, const ScriptLine* a, const ScriptLine* b) {

@@ -170,7 +170,8 @@ void Sectors::fill_zoom(const Sector& sector, std::span<const Point> points, std
   }
 }
 
-/// Divides a sector of a zoom, whose vertices are `entries`. An empty sector keeps the vertex of the sector around it.
+/// Fills a sector of a zoom. `entries` are the vertices in the sector. Divides the sector if it is crowded. If it has
+/// no vertices, it keeps the vertex of the sector around it.
 void Sectors::fill_quarter(const Sector& sector, std::span<const Point> points, std::uint32_t first,
                            std::span<Entry> entries) {
   if (entries.empty()) return;

@@ -10,9 +10,9 @@
 
 namespace waywright::mesh {
 
-/// The faces that an operation has touched, each once: also free faces, and faces outside the domain. Faces of which
-/// only labels have changed are left out, because their edges are the same. Keep the object: later operations use its
-/// memory again.
+/// The faces that an operation has touched, each once: also faces that it has freed, and ghost faces. The class leaves
+/// out faces of which only labels have changed, because their edges are the same. Keep the object: later operations use
+/// its memory again.
 ///
 ///     const TouchedFaces::Guard guard(touched);
 ///     touched.collect(mesh);                     // the operation has changed the mesh, and has not ended
@@ -44,9 +44,9 @@ class TouchedFaces {
     memory::release(faces_);
   }
 
-  /// Returns whether there are many touched faces, and they are most faces of the mesh. Then to build data about all
-  /// faces costs less than to update the data of each touched face, and the object is empty.
-  [[nodiscard]] bool are_most() const { return are_most_; }
+  /// Returns whether the operation has touched most faces of the mesh, and more than kFewFaces. If so, it costs less to
+  /// rebuild data about all faces than to update them, and collect() has kept no list: faces() is empty.
+  [[nodiscard]] bool are_most_faces() const { return are_most_; }
   /// The touched faces, in the order in which the operation first touched them.
   [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }
   [[nodiscard]] bool contains(Face f) const { return is_touched_[number(f)]; }
@@ -59,7 +59,7 @@ class TouchedFaces {
   void release() { memory::release(faces_, is_touched_); }
 
  private:
-  /// So many touched faces, or fewer, are never most faces.
+  /// If an operation has touched this number of faces or fewer, are_most_faces() is false, also in a small mesh.
   static constexpr std::size_t kFewFaces = 1000;
 
   void clear() {

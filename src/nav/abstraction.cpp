@@ -46,7 +46,7 @@ void Abstraction::update(const Triangulation& triangulation, const mesh::Touched
   const std::vector<Face>& changed = touched.faces();
   Guard guard(*this);
   was_rebuilt_ = false;
-  if (touched.are_most()) {
+  if (touched.are_most_faces()) {
     rebuild(triangulation);
     is_updated_ = true;
     guard.keep();
@@ -98,7 +98,8 @@ void Abstraction::collect_new_faces(const Triangulation& triangulation, const me
                [&](Face f) { return triangulation.triangulation().is_in_domain(f); });
 }
 
-/// Removes the polygons that this operation both inserted and removed from both lists.
+/// If the operation has inserted a polygon and has then removed it, removes this polygon from `inserted_` and from
+/// `removed_`.
 void Abstraction::remove_common_polygons() {
   std::sort(inserted_.begin(), inserted_.end());
   std::sort(removed_.begin(), removed_.end());

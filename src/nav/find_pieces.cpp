@@ -15,13 +15,14 @@
 // unfinished.
 //
 // The old faces that a finished set has found are a *piece*: no chain of passages leads from them to other old faces.
-// The old chains through a piece no longer connect the regions beside it, so these regions count as one region from
-// then on. When each region has at most one unfinished set, all unfinished sets are connected. Proof: suppose that two
-// unfinished sets are not connected. Before the change they were connected, so a sequence in which regions and sets
-// alternate leads from one to the other. Of all such pairs, take one with the shortest sequence. An unfinished set
-// between the two would not be connected with one of them, and would have a shorter sequence to it. So all sets between
-// the two are finished, all regions of the sequence count as one region, and this region has two unfinished sets: a
-// contradiction.
+// The old chains that led through a piece are broken. So the old faces beside one of its regions may now be separated
+// from the old faces beside another one, and it is no longer enough to look at each of these regions alone. Therefore
+// all regions beside the piece count as one region from then on. When each region has at most one unfinished set, all
+// unfinished sets are connected. Proof: suppose that two unfinished sets are not connected. Before the change they were
+// connected, so a sequence in which regions and sets alternate leads from one to the other. Of all such pairs, take one
+// with the shortest sequence. An unfinished set between the two would not be connected with one of them, and would have
+// a shorter sequence to it. So all sets between the two are finished, all regions of the sequence count as one region,
+// and this region has two unfinished sets: a contradiction.
 
 namespace waywright::nav {
 

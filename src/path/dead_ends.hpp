@@ -12,19 +12,20 @@
 
 namespace waywright::path {
 
-/// Says for one search which edges lead into a dead end without a goal.
+/// Says for one search which edges lead to no goal. The *tree faces* are the faces outside the two-core (TwoCore). The
+/// subtree of a face consists of this face and of the tree faces whose passages towards the core lead through it.
 class DeadEnds {
  public:
-  /// Starts a search with goal faces. `core` may be null: then the class knows no dead end. Cost: the length of the
+  /// Starts a search with goal faces. `core` may be null: then the class knows no tree faces. Cost: the length of the
   /// chains from the goal faces to the core.
   void begin(const mesh::TriangleMesh& mesh, const nav::TwoCore* core, std::span<const mesh::Face> goals);
-  /// Returns whether the edge `exit` of the face `f` is a wall, or only a dead end without a goal lies beyond it.
+  /// Returns whether the edge `exit` of the face `f` is a wall, or no goal lies beyond it.
   [[nodiscard]] bool is_no_exit(mesh::Face f, mesh::HalfEdge exit) const {
     if (core_ == nullptr) return !nav::PointAgent::can_cross(*mesh_, exit);
     return !core_->is_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || leads_to_no_goal(exit));
   }
-  /// Returns the edges of a face across which a path to a goal may lead: no walls, and no edges into a dead end without
-  /// a goal. The result has one bit for each half-edge of the face.
+  /// Returns the edges of a face across which a path to a goal may lead: those for which is_no_exit() is false. The
+  /// result has one bit for each half-edge of the face.
   [[nodiscard]] unsigned edges_towards_goal(mesh::Face f) const {
     if (core_ != nullptr && goals_below_[number(f)].query == stamp_.value()) return find_edges_towards_goal(f);
     return edges_towards_core(f);
@@ -36,12 +37,13 @@ class DeadEnds {
     const mesh::HalfEdge up = core_->towards_core(f);
     return up == mesh::kNoHalfEdge ? 0 : 1U << mesh::index_in(f, up);
   }
-  /// Returns whether the face lies in a dead end, and no goal face lies in its subtree.
-  [[nodiscard]] bool is_in_dead_end_without_goal(mesh::Face f) const {
+  /// Returns whether the face is a tree face, and no goal face lies in its subtree.
+  [[nodiscard]] bool is_tree_face_without_goal(mesh::Face f) const {
     return core_ != nullptr && !core_->is_core(f) && goals_below(f) == 0;
   }
-  /// Calls visit(face) for each goal face and, if there is a core, for each face between a goal face and the core. May
-  /// visit a face more than once.
+  /// Calls visit(face) for each goal face. If begin() was called with a core, also calls it for each face on the way
+  /// from a goal face towards the core: up to the first face of the core or, in a component without a core, up to the
+  /// root. May visit a face more than once.
   template <class Visit>
   void for_each_above_goal(std::span<const mesh::Face> goals, Visit&& visit) const {
     for (mesh::Face f : goals) {
@@ -56,8 +58,8 @@ class DeadEnds {
   }
 
  private:
-  /// Returns whether only a dead end without a goal lies beyond the edge. Requires: there is a core, the edge is no
-  /// wall, and it does not lead from one face of the core to another.
+  /// Returns whether no goal lies beyond the edge. Requires: begin() was called with a core, the edge is no wall, and
+  /// it does not lead from one face of the core to another.
   [[nodiscard]] bool leads_to_no_goal(mesh::HalfEdge exit) const {
     if (core_->leads_up(exit)) return goals_below(mesh::face(exit)) == goal_count_;
     return goals_below(mesh::face(mesh_->twin(exit))) == 0;

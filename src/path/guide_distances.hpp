@@ -45,7 +45,7 @@ class GuideDistances {
     }
     known = {length + std::sqrt(squared), stamp_.value()};
   }
-  /// Records that the guide has followed a window across the edge `entry` into the face `f`.
+  /// Records that the guide has crossed the edge `entry` and has entered the face `f`.
   void cross(mesh::Face f, mesh::HalfEdge entry) {
     std::uint32_t& crossed = crossed_[number(f)];
     if (crossed < stamp_.value()) crossed = stamp_.value();
@@ -54,14 +54,15 @@ class GuideDistances {
   /// Sets the limit. The distances are complete when the guide has followed all windows whose bound is below it.
   void set_limit(double limit) { limit_ = limit; }
 
-  /// Returns whether the guide has followed a window across the edge.
+  /// Returns whether the guide has crossed the edge, or its goal lies on it.
   [[nodiscard]] bool is_crossed(mesh::HalfEdge h) const { return is_entered(h) || is_entered(map_->mesh().twin(h)); }
-  /// Returns whether one of the two faces of the edge lies in a dead end into which the guide does not look. Then the
-  /// distances and marks say nothing about the edge. If `h` is the corner of a pivot, the distance of its vertex says
-  /// nothing about this pivot.
+  /// Returns whether the guide does not look into one of the two faces of the edge, because it lies in a dead end. Then
+  /// the distances and marks say nothing about the edge. `h` may also be the corner of a face from which the search has
+  /// reached a pivot. If the function then returns true, the distance of the origin of `h` is no lower bound for a path
+  /// that turns at this pivot.
   [[nodiscard]] bool is_unknown(mesh::HalfEdge h) const {
-    return dead_ends_.is_in_dead_end_without_goal(mesh::face(h)) ||
-           dead_ends_.is_in_dead_end_without_goal(mesh::face(map_->mesh().twin(h)));
+    return dead_ends_.is_tree_face_without_goal(mesh::face(h)) ||
+           dead_ends_.is_tree_face_without_goal(mesh::face(map_->mesh().twin(h)));
   }
   /// Returns whether a path of the guide that is shorter than the limit may lead through the vertex, whose position is
   /// `at`.
@@ -97,7 +98,7 @@ class GuideDistances {
   const DiscMap* map_ = nullptr;
   Point start_;
   double limit_ = 0.0;
-  DeadEnds dead_ends_;
+  DeadEnds dead_ends_;  ///< the guide searches from the disc's goal to its start, so the start is the goal here
   memory::ZeroedArray<Length> lengths_;  ///< by vertex
   /// By face: the number of the query plus a bit for each half-edge across which the guide has entered the face.
   memory::ZeroedArray<std::uint32_t> crossed_;

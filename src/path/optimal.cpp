@@ -73,7 +73,8 @@ void Optimal::start(double known_length) {
   leave_start();
 }
 
-/// Computes `longest_`, `longest_count_` and `end_` from the paths to the goals that the search has found so far.
+/// Computes `longest_`, `longest_count_` and `stop_bound_` from the paths to the goals that the search has found so
+/// far.
 void Optimal::update_longest() {
   longest_ = 0.0;
   longest_count_ = 0;
@@ -83,7 +84,7 @@ void Optimal::update_longest() {
     longest_ = std::max(longest_, length);
     if (length == longest_) ++longest_count_;
   }
-  end_ = longest_;
+  stop_bound_ = longest_;
 }
 
 template <class Visit>
@@ -164,7 +165,7 @@ void Optimal::leave_start() {
 
 bool Optimal::step(std::size_t limit, std::size_t& expansions) {
   expansions_ = expansions;
-  const auto is_done = [&] { return open_.empty() || open_.least_bound() >= end_; };
+  const auto is_done = [&] { return open_.empty() || open_.least_bound() >= stop_bound_; };
   while (!is_done() && expansions_ < limit) {
     at_once_bound_ = open_.least_bound();
     follow(nodes_[open_.pop()]);
@@ -251,7 +252,7 @@ void Optimal::narrow_left(Node& window, Cone& cone, mesh::Vertex apex, std::uint
   see(apex, root);
   window.left_root = root;
   window.left = apex;
-  cone.set_left(Cone::bound(*this, root, apex));
+  cone.set_left(Cone::ray(*this, root, apex));
 }
 
 WAYWRIGHT_ALWAYS_INLINE
@@ -259,7 +260,7 @@ void Optimal::narrow_right(Node& window, Cone& cone, mesh::Vertex apex, std::uin
   see(apex, root);
   window.right_root = root;
   window.right = apex;
-  cone.set_right(Cone::bound(*this, root, apex));
+  cone.set_right(Cone::ray(*this, root, apex));
 }
 
 void Optimal::divide(const Node& window, const Cone& cone, mesh::Vertex apex) {
@@ -283,11 +284,11 @@ void Optimal::reach_goals(const Node& window, const Cone& cone) {
     const Geometry::View position = Geometry::view(goals_[goal].point);
     if (cone.orientation_to_left(position) == Sign::positive || cone.orientation_to_right(position) == Sign::negative)
       return;
-    end_at(goal, root_that_sees(window, position), window.trace);
+    store_path(goal, root_that_sees(window, position), window.trace);
   });
 }
 
-void Optimal::end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace) {
+void Optimal::store_path(std::uint32_t goal, std::uint32_t root, std::uint32_t trace) {
   Goal& at = goals_[goal];
   const double length = roots_[root].length + distance(roots_[root].point, at.point);
   if (length >= std::min(at.length, known_length_)) return;
@@ -296,15 +297,15 @@ void Optimal::end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace
   at.root = root;
   at.trace = trace;
   if (distances_ != nullptr) {
-    if (longest_ == kInfinity) end_ = length;
+    if (longest_ == kInfinity) stop_bound_ = length;
     return;
   }
   if (was_longest && --longest_count_ == 0) update_longest();
 }
 
-//          apex          The picture shows a left turn: the cone's left bound touches v, the entry's left end. The
-//        /    \          face's apex lies on the bound or to its left. A path that turns left at v, around the walls,
-//       /      \         can reach the area left of the bound. No wall at v lies to the right of the path, because the
+//          apex          The picture shows a left turn: the cone's left ray touches v, the entry's left end. The
+//        /    \          face's apex lies on the ray or to its left. A path that turns left at v, around the walls,
+//       /      \         can reach the area left of the ray. No wall at v lies to the right of the path, because the
 //   v -------- target    cone has passed there. If v has no walls, there is nothing to turn around.
 //
 // Let the far edge be the edge of the face opposite to v. Returns whether the window waits in the new node until the
@@ -397,27 +398,28 @@ template <Optimal::Kind kTurn>
 void Optimal::make_turn(const Node& turn) {
   constexpr bool kIsLeft = kTurn == Kind::left_turn;
   constexpr Sign kInwards = kIsLeft ? Sign::positive : Sign::negative;
-  const auto next = [](mesh::HalfEdge h) { return kIsLeft ? mesh::next(h) : mesh::previous(h); };
-  const auto previous = [](mesh::HalfEdge h) { return kIsLeft ? mesh::previous(h) : mesh::next(h); };
+  // For a right turn, the directions are mirrored.
+  const auto far = [](mesh::HalfEdge h) { return kIsLeft ? mesh::next(h) : mesh::previous(h); };
+  const auto near = [](mesh::HalfEdge h) { return kIsLeft ? mesh::previous(h) : mesh::next(h); };
   const mesh::Vertex v = kIsLeft ? turn.left : turn.right;
   const std::uint32_t root = add_root(v, kIsLeft ? turn.left_root : turn.right_root);
   if (roots_[root].length > reached(v).length) return push_waiting(turn);
   ++expansions_;
-  const mesh::HalfEdge far_edge = next(turn.entry);
+  const mesh::HalfEdge far_edge = far(turn.entry);
   const mesh::Vertex apex = mesh_->apex(turn.entry);
   Node window{Kind::window, false, mesh_->twin(far_edge), root, root, kContinuation, kContinuation, turn.trace};
   (kIsLeft ? window.left : window.right) = apex;
   enter(mesh::face(turn.entry), window);
   const Cone cone(*this, window);
-  const auto from_continuation = [&](const Geometry::View& position) {
+  const auto orientation_to_continuation = [&](const Geometry::View& position) {
     return kIsLeft ? cone.orientation_to_right(position) : cone.orientation_to_left(position);
   };
-  const Sign side_of_apex = from_continuation(geometry_->view(number(apex)));
+  const Sign side_of_apex = orientation_to_continuation(geometry_->view(number(apex)));
   const bool turn_sees_apex = side_of_apex == kInwards;
   if (side_of_apex != -kInwards) see(apex, root);
   for_each_goal(mesh::face(turn.entry), [&](std::uint32_t goal) {
-    const bool is_seen = from_continuation(Geometry::view(goals_[goal].point)) != -kInwards;
-    if (is_seen) end_at(goal, root, turn.trace);
+    const bool is_seen = orientation_to_continuation(Geometry::view(goals_[goal].point)) != -kInwards;
+    if (is_seen) store_path(goal, root, turn.trace);
   });
   if (turn_sees_apex && !is_excluded(far_edge)) {
     if (turn.has_window) {
@@ -427,17 +429,17 @@ void Optimal::make_turn(const Node& turn) {
     push(window);
   }
   std::uint32_t trace = turn.trace;
-  for (mesh::HalfEdge h = turn.entry; !is_excluded(previous(h));) {
-    h = mesh_->twin(previous(h));
+  for (mesh::HalfEdge h = turn.entry; !is_excluded(near(h));) {
+    h = mesh_->twin(near(h));
     trace = traced(h, trace);
     ++expansions_;
-    const mesh::HalfEdge exit = next(h);
+    const mesh::HalfEdge exit = far(h);
     const mesh::HalfEdge entry = mesh_->twin(exit);
     Node beyond{Kind::window, false, entry, root, root, mesh_->origin(entry), mesh_->target(entry), trace};
     enter(mesh::face(h), beyond);
     if (distances_ != nullptr) distances_->cross(mesh::face(h), h);
     see(mesh_->apex(h), root);
-    for_each_goal(mesh::face(h), [&](std::uint32_t goal) { end_at(goal, root, trace); });
+    for_each_goal(mesh::face(h), [&](std::uint32_t goal) { store_path(goal, root, trace); });
     if (is_excluded(exit)) continue;
     push(beyond);
   }

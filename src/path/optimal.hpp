@@ -65,7 +65,7 @@ class Optimal {
   /// it returns true, but continue_to() can continue the search.
   void guide(GuideDistances& distances) { distances_ = &distances; }
   /// Makes the next calls of step() follow all windows of a guide whose bound is below `limit`.
-  void continue_to(double limit) { longest_ = end_ = limit; }
+  void continue_to(double limit) { longest_ = stop_bound_ = limit; }
   /// Call this after begin(): the search then appends each window that it follows to `windows`: one or more for each
   /// triangle that it enters. Requires: begin() was called with `looked_at`.
   void record_windows(std::vector<SearchWindow>& windows) { windows_ = &windows; }
@@ -236,7 +236,7 @@ class Optimal {
   /// Calls visit(goal) for each goal at the face.
   template <class Visit>
   void for_each_goal(mesh::Face f, Visit&& visit) const;
-  void end_at(std::uint32_t goal, std::uint32_t root, std::uint32_t trace);
+  void store_path(std::uint32_t goal, std::uint32_t root, std::uint32_t trace);
   void update_longest();
 
   /// Returns whether no path leaves the face `f` through its half-edge `exit`: the agent cannot cross it, or it
@@ -308,7 +308,8 @@ class Optimal {
   double at_once_bound_ = 0.0;  ///< the search follows windows at once if their bound is not above this
   double known_length_ = 0.0;
   double longest_ = 0.0;  ///< the search needs only paths that are shorter than this
-  double end_ = 0.0;      ///< the search ends when no bound is below this: `longest_`, or the length of a guide's path
+  double stop_bound_ =
+      0.0;  ///< the search ends when no bound is below this: `longest_`, or the length of a guide's path
   std::size_t longest_count_ = 0;  ///< number of goals with min(Goal::length, known_length_) equal to `longest_`
 };
 

@@ -89,9 +89,9 @@ double Optimal::bound(const Node& window, const Point& left, const Point& right)
 }
 
 /// Returns a lower bound of the length of the paths through a bundle. If the goal lies left of the leftmost window, the
-/// shortest path through the bundle leads along its left bound, because every other path from the first root through
+/// shortest path through the bundle leads along its left ray, because every other path from the first root through
 /// the bundle to the goal goes around this one. If the goal lies right of the rightmost window, the same is true of the
-/// right bound. With several goals, the function takes the distance from the first root to the edge.
+/// right ray. With several goals, the function takes the distance from the first root to the edge.
 double Optimal::bound_of_bundle(const Node& window, const Point& left, const Point& right) const {
   const Point& a = position_of(mesh_->origin(window.entry));
   const Point& b = position_of(mesh_->target(window.entry));

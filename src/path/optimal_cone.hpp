@@ -11,14 +11,14 @@ class Optimal::Cone {
  public:
   Cone(const Optimal& search, const Node& window)
       : geometry_(*search.geometry_),
-        left_(bound(search, window.left_root, window.left)),
-        right_(bound(search, window.right_root, window.right)) {}
+        left_(ray(search, window.left_root, window.left)),
+        right_(ray(search, window.right_root, window.right)) {}
 
-  /// The orientation of `p`: positive if it lies left of the cone's left bound, negative if right of it.
+  /// The orientation of `p`: positive if it lies left of the cone's left ray, negative if right of it.
   [[nodiscard]] exact::Sign orientation_to_left(const Geometry::View& p) const {
     return geometry_.orientation(left_, p);
   }
-  /// The orientation of `p`: positive if it lies left of the cone's right bound, negative if right of it.
+  /// The orientation of `p`: positive if it lies left of the cone's right ray, negative if right of it.
   [[nodiscard]] exact::Sign orientation_to_right(const Geometry::View& p) const {
     return geometry_.orientation(right_, p);
   }
@@ -31,7 +31,7 @@ class Optimal::Cone {
   [[nodiscard]] Point right_direction() const { return {right_.dx, right_.dy}; }
 
   /// Returns the line from a root through a vertex, or along the continuation.
-  [[nodiscard]] static Geometry::Line bound(const Optimal& search, std::uint32_t root, mesh::Vertex v) {
+  [[nodiscard]] static Geometry::Line ray(const Optimal& search, std::uint32_t root, mesh::Vertex v) {
     const Root& from = search.roots_[root];
     return v == kContinuation ? Geometry::Line(search.view(search.roots_[from.before]), search.view(from))
                               : Geometry::Line(search.view(from), search.geometry_->view(number(v)));

@@ -61,7 +61,7 @@ std::size_t count_insertions(std::span<const Change> changes) {
 /// message.
 Error in_list(const char* element, std::uint64_t i, Error error) {
   error.index = i;
-  error.words.list = element;
+  error.words.element_noun = element;
   return error;
 }
 

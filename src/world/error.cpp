@@ -119,7 +119,7 @@ void append_id_error(std::string& text, const Error& error) {
 std::string Error::message() const {
   const base::FloatEnvironment environment;
   std::string text;
-  if (words.list != nullptr) text = words.list + text::with_number(" ", index, ": ");
+  if (words.element_noun != nullptr) text = words.element_noun + text::with_number(" ", index, ": ");
   if (!words.text.empty()) {
     text += words.text;
   } else if (words.literal != nullptr) {

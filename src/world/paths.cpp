@@ -64,7 +64,7 @@ Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<Que
   for (std::size_t i = 0; i < queries.size(); ++i) {
     if (auto error = find_query_error(domain(), impl_->kept(), queries[i])) {
       error->index = i;
-      error->words.list = "query";
+      error->words.element_noun = "query";
       return *std::move(error);
     }
   }

@@ -136,6 +136,20 @@ TEST(Replay, NamesItemsThatARewindHasChanged) {
   EXPECT_EQ(difference->changed, (std::vector<ItemId>{1, 2}));
 }
 
+TEST(Replay, RefusesARewindToATickThatNoMarkHas) {
+  // The parser refuses such a line, but a program can make the script itself.
+  Script log = parse(log_with("point 1 1 2\nmark 1\npoint 2 5 5\nrewind 1\n"));
+  for (const std::uint64_t tick : {std::uint64_t{0}, std::uint64_t{2}, ~std::uint64_t{0}}) {
+    log.lines.back().tick = tick;
+    const ReplayResult result = replay(log).value();
+    EXPECT_FALSE(result.is_same);
+    EXPECT_EQ(result.line, log.lines.back().line);
+    ASSERT_TRUE(result.refusal.has_value());
+    EXPECT_EQ(result.refusal->code, ErrorCode::unknown_tick);
+    EXPECT_EQ(find_difference(log, log), std::nullopt);
+  }
+}
+
 TEST(Replay, StopsAtAChangeThatTheWorldRefuses) {
   const ReplayResult in_tick = replay(parse(log_with("point 1 1 2\ntick 1\nremove 1\nremove 9\ntick 2\n"))).value();
   EXPECT_FALSE(in_tick.is_same);

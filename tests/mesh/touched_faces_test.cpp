@@ -35,7 +35,7 @@ TEST(TouchedFaces, ListsEachFaceOnce) {
   {
     const TouchedFaces::Guard guard(touched);
     touched.collect(mesh);
-    EXPECT_FALSE(touched.are_most());
+    EXPECT_FALSE(touched.are_most_faces());
     // Each split keeps one face and makes two others. Only the faces inside the triangle a b c are touched.
     EXPECT_EQ(collected(touched, mesh), (std::set{mesh::face(h), Face{6}, Face{7}, Face{8}, Face{9}}));
   }
@@ -72,14 +72,14 @@ TEST(TouchedFaces, AreEmptyIfMostFacesAreTouched) {
   {
     const TouchedFaces::Guard guard(touched);
     touched.collect(mesh);
-    EXPECT_TRUE(touched.are_most());
+    EXPECT_TRUE(touched.are_most_faces());
     EXPECT_EQ(collected(touched, mesh), std::set<Face>{});
   }
   mesh.begin();
   split();
   const TouchedFaces::Guard guard(touched);
   touched.collect(mesh);
-  EXPECT_FALSE(touched.are_most());
+  EXPECT_FALSE(touched.are_most_faces());
   EXPECT_EQ(collected(touched, mesh).size(), 3U);
 }
 
