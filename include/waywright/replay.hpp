@@ -88,16 +88,18 @@ class WAYWRIGHT_API ReplayWriter {
 /// std::puts(result.refusal->message().c_str());
 /// @endcode
 struct ReplayResult {
-  bool is_same = true;      ///< whether the world accepted all changes and all hashes are equal
+  bool is_same = true;      ///< whether the world accepted all changes and rewinds, and all hashes are equal
   std::uint64_t ticks = 0;  ///< the number of ticks that replay() has replayed
   // The members below are meaningful only if `is_same` is false.
-  std::uint64_t tick = 0;        ///< the first tick whose hash differs, or in which the world refused a change
+  std::uint64_t tick = 0;        ///< the first tick whose hash differs, or in which the world refused a line
   std::uint64_t last_same = 0;   ///< the last tick before `tick` whose hash is equal, or 0
-  std::uint32_t line = 0;        ///< the line of the hash or of the refused change in the script
+  std::uint32_t line = 0;        ///< the line of the hash, or of the refused change or rewind, in the script
   ItemsHash expected;            ///< if a hash differs: the hash in the log
   ItemsHash computed;            ///< if a hash differs: the hash of the replayed world
   std::optional<Error> refusal;  ///< why the world refused a change or a rewind, if it did
-  std::vector<ItemId> changed;   ///< the items that changed after tick `last_same`, ascending; or the refused item
+  /// If a hash differs: the items that changed after tick `last_same`, ascending. If the world refused a change: the
+  /// item of this change. If it refused a rewind: empty.
+  std::vector<ItemId> changed;
 };
 
 /// Makes the changes of a log in a new world, and compares the hash of its items with each hash in the log. Stops at

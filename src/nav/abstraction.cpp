@@ -121,7 +121,7 @@ bool Abstraction::is_in_open_space(const mesh::TriangleMesh& mesh, const mesh::T
   for (const Face f : touched.faces()) {
     if (core_.is_absent(f)) continue;
     if (component == Components::kNone) component = components_.component_of(f);
-    if (core_.degree(f) != 3 || components_.component_of(f) != component) return false;
+    if (core_.core_degree(f) != 3 || components_.component_of(f) != component) return false;
   }
   return component != Components::kNone && std::all_of(new_faces_.begin(), new_faces_.end(), [&](Face f) {
            const mesh::HalfEdge h = mesh::first(f);

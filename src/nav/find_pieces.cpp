@@ -7,12 +7,13 @@
 
 // Finds the pieces into which a change of the mesh has divided the components.
 //
-// A *region* consists of new faces that are adjacent to each other, also across walls: it fills one connected part of
-// the changed area. Before the change, a chain of passages connected each two old faces of a component. It led through
-// old faces and through the areas of regions. So if the old faces beside each region are still connected with each
-// other, no component is divided, and it is enough to look at one region after the other. Searches that have met form a
-// *set* of searches. The searches that start beside one region advance alternately, until at most one of their sets is
-// unfinished.
+// A *group* consists of new faces that passages connect with each other, through new faces alone. An *old neighbour* of
+// a group is an old face that has a passage to a face of the group. A *region* consists of groups that are adjacent to
+// each other across walls: it fills one connected part of the changed area. Before the change, a chain of passages
+// connected each two old faces of a component. It led through old faces and through the areas of regions. So if the old
+// faces beside each region are still connected with each other, no component is divided, and it is enough to look at
+// one region after the other. Searches that have met form a *set* of searches. The searches that start beside one
+// region advance alternately, until at most one of their sets is unfinished.
 //
 // The old faces that a finished set has found are a *piece*: no chain of passages leads from them to other old faces.
 // The old chains that led through a piece are broken. So the old faces beside one of its regions may now be separated

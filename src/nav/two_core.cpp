@@ -93,7 +93,7 @@ void TwoCore::join(const mesh::TriangleMesh& mesh, Face f, Surroundings& around)
     add_passage(h);
     if (!is_core(other)) {
       ++around.trees;
-    } else if ((states_[number(other)] & kNew) == 0 && !is_passage(back)) {
+    } else if ((states_[number(other)] & kNew) == 0 && !is_core_passage(back)) {
       add_passage(back);
       around.has_core = true;
     }
@@ -104,7 +104,7 @@ void TwoCore::climb_trees(const mesh::TriangleMesh& mesh, std::span<const Face> 
   for (const Face f : new_faces) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const HalfEdge h = mesh::half_edge(f, i);
-      if (is_passage(h) && !is_passage(mesh.twin(h))) climb(mesh, mesh.twin(h));
+      if (is_core_passage(h) && !is_core_passage(mesh.twin(h))) climb(mesh, mesh.twin(h));
     }
   }
 }
@@ -137,9 +137,9 @@ void TwoCore::peel(const mesh::TriangleMesh& mesh) {
 /// Takes a face out of the core if it has fewer than two passages. Then does the same with the face on which it hangs,
 /// and so on.
 void TwoCore::peel_from(const mesh::TriangleMesh& mesh, Face f) {
-  while (is_core(f) && degree(f) < 2) {
+  while (is_core(f) && core_degree(f) < 2) {
     if (degree(f) == 0) return write(f, kRoot);
-    const HalfEdge up = mesh::half_edge(f, static_cast<std::uint32_t>(std::countr_zero(passages(f))));
+    const HalfEdge up = mesh::half_edge(f, static_cast<std::uint32_t>(std::countr_zero(core_passages(f))));
     write(f, tree_state(up));
     const HalfEdge back = mesh.twin(up);
     f = mesh::face(back);

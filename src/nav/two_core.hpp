@@ -24,7 +24,8 @@ namespace waywright::nav {
 /// passage that leads towards the core. In a component without a core, it stores the passage that leads towards one
 /// face, the root. Every face of such a component could be its root.
 ///
-/// The functions is_passage(), passages() and degree() count only passages from one face of the core to another.
+/// The functions is_core_passage(), core_passages() and core_degree() count only passages from one face of the core to
+/// another.
 ///
 /// update() updates the core after a change of the mesh. Its cost depends on the number of faces that have changed and
 /// of faces whose state changes. Memory: one byte per face.
@@ -43,16 +44,18 @@ class TwoCore {
   /// Returns whether the face is in the core: it lies on a cycle of the graph, or on a connection between two cycles.
   [[nodiscard]] bool is_core(mesh::Face f) const { return (states_[number(f)] & kCore) != 0; }
   /// Returns whether `h` is a passage from one face of the core to another.
-  [[nodiscard]] bool is_passage(mesh::HalfEdge h) const { return is_passage(mesh::face(h), h); }
+  [[nodiscard]] bool is_core_passage(mesh::HalfEdge h) const { return is_core_passage(mesh::face(h), h); }
   /// Returns whether `h`, a half-edge of `f`, is a passage from one face of the core to another. Saves the division
   /// that finds the face.
-  [[nodiscard]] bool is_passage(mesh::Face f, mesh::HalfEdge h) const {
+  [[nodiscard]] bool is_core_passage(mesh::Face f, mesh::HalfEdge h) const {
     return (states_[number(f)] >> mesh::index_in(f, h) & 1U) != 0;
   }
   /// The face's passages to other faces of the core: bit i stands for the face's half-edge number i.
-  [[nodiscard]] unsigned passages(mesh::Face f) const { return states_[number(f)] & unsigned{kPassages}; }
+  [[nodiscard]] unsigned core_passages(mesh::Face f) const { return states_[number(f)] & unsigned{kPassages}; }
   /// The number of these passages: 0 outside the core, 2 in a corridor, 3 at a junction.
-  [[nodiscard]] unsigned degree(mesh::Face f) const { return static_cast<unsigned>(std::popcount(passages(f))); }
+  [[nodiscard]] unsigned core_degree(mesh::Face f) const {
+    return static_cast<unsigned>(std::popcount(core_passages(f)));
+  }
   /// Returns the half-edge by which a tree face leads towards the core, or kNoHalfEdge for the root of a component
   /// without a core. Requires: `f` is not in the core.
   [[nodiscard]] mesh::HalfEdge towards_core(mesh::Face f) const {

@@ -19,10 +19,11 @@ class DeadEnds {
   /// Starts a search with goal faces. `core` may be null: then the class knows no tree faces. Cost: the length of the
   /// chains from the goal faces to the core.
   void begin(const mesh::TriangleMesh& mesh, const nav::TwoCore* core, std::span<const mesh::Face> goals);
-  /// Returns whether the edge `exit` of the face `f` is a wall, or no goal lies beyond it.
+  /// Returns true only if the edge `exit` of the face `f` is a wall, or no goal lies beyond it. Without a core, the
+  /// function recognises only walls. With a core, the result is false for each passage between two faces of the core.
   [[nodiscard]] bool is_no_exit(mesh::Face f, mesh::HalfEdge exit) const {
     if (core_ == nullptr) return !nav::PointAgent::can_cross(*mesh_, exit);
-    return !core_->is_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || leads_to_no_goal(exit));
+    return !core_->is_core_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || leads_to_no_goal(exit));
   }
   /// Returns the edges of a face across which a path to a goal may lead: those for which is_no_exit() is false. The
   /// result has one bit for each half-edge of the face.
@@ -33,7 +34,7 @@ class DeadEnds {
   /// Returns edges_towards_goal(f). Requires: the face is none of those that for_each_above_goal() visits.
   [[nodiscard]] unsigned edges_towards_core(mesh::Face f) const {
     if (core_ == nullptr) return find_edges_towards_goal(f);
-    if (core_->is_core(f)) return core_->passages(f);
+    if (core_->is_core(f)) return core_->core_passages(f);
     const mesh::HalfEdge up = core_->towards_core(f);
     return up == mesh::kNoHalfEdge ? 0 : 1U << mesh::index_in(f, up);
   }

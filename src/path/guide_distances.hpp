@@ -54,7 +54,7 @@ class GuideDistances {
   /// Sets the limit. The distances are complete when the guide has followed all windows whose bound is below it.
   void set_limit(double limit) { limit_ = limit; }
 
-  /// Returns whether the guide has crossed the edge, or its goal lies on it.
+  /// Returns whether the guide has crossed the edge, or the goal of the disc, where the guide starts, lies on it.
   [[nodiscard]] bool is_crossed(mesh::HalfEdge h) const { return is_entered(h) || is_entered(map_->mesh().twin(h)); }
   /// Returns whether the guide does not look into one of the two faces of the edge, because it lies in a dead end. Then
   /// the distances and marks say nothing about the edge. `h` may also be the corner of a face from which the search has

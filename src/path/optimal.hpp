@@ -245,7 +245,7 @@ class Optimal {
   [[nodiscard]] bool is_excluded(mesh::Face f, mesh::HalfEdge exit) const {
     if constexpr (kIsGuide) return !distances_->can_cross(exit);
     if (core_ == nullptr) return !nav::PointAgent::can_cross(*mesh_, exit);
-    return !core_->is_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || leads_to_no_goal(exit));
+    return !core_->is_core_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || leads_to_no_goal(exit));
   }
   [[nodiscard]] bool is_excluded(mesh::HalfEdge exit) const {
     return distances_ == nullptr ? is_excluded<false>(mesh::face(exit), exit) : !can_guide_cross(exit);

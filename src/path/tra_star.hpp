@@ -67,7 +67,7 @@ class TraStar {
   /// Returns the passage up if the face lies in a dead end. If it is a face of the core, returns the passages to other
   /// faces of the core.
   [[nodiscard]] unsigned passages_up(mesh::Face f) const {
-    if (core_->is_core(f)) return core_->passages(f);
+    if (core_->is_core(f)) return core_->core_passages(f);
     const mesh::HalfEdge up = core_->towards_core(f);
     return up == mesh::kNoHalfEdge ? 0 : 1U << mesh::index_in(f, up);
   }

@@ -151,11 +151,11 @@ class Expected {
       if (core.is_core(Face{f}) != core_.contains(f)) {
         return "face " + std::to_string(f) + (core_.contains(f) ? " is of the core" : " is not of the core");
       }
-      if (core.degree(Face{f}) != (core_.contains(f) ? passages(f) : 0)) return "a face has another degree";
+      if (core.core_degree(Face{f}) != (core_.contains(f) ? passages(f) : 0)) return "a face has another degree";
       for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
         const bool is_passage =
             core_.contains(f) && !mesh_.is_fixed(HalfEdge{h}) && core_.contains(beyond(HalfEdge{h}));
-        if (core.is_passage(HalfEdge{h}) != is_passage) return "a passage is none, or one is missed";
+        if (core.is_core_passage(HalfEdge{h}) != is_passage) return "a passage is none, or one is missed";
       }
     }
     return std::nullopt;
@@ -224,7 +224,7 @@ TEST(Abstraction, ASolidIsARingsMiddle) {
   const Abstraction& abstraction = reduced.abstraction();
   EXPECT_EQ(abstraction.components().count(), 2U);
   EXPECT_TRUE(abstraction.components().is_covered(reduced.face_at({5, 4.5})));
-  EXPECT_EQ(abstraction.core().degree(reduced.face_at({5, 3.5})), 2U) << "between the solid and the border";
+  EXPECT_EQ(abstraction.core().core_degree(reduced.face_at({5, 3.5})), 2U) << "between the solid and the border";
   reduced.remove(solid);
   EXPECT_EQ(fault_of(reduced), std::nullopt);
   EXPECT_EQ(abstraction.components().count(), 1U);
