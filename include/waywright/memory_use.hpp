@@ -17,8 +17,8 @@ namespace waywright {
 /// @endcode
 ///
 /// The numbers do not include the overhead of the allocator. They do not include the context of the world, either: the
-/// world makes this context at the first query without a context, and keeps it. Like every QueryContext, it takes 4 to
-/// 16 bytes per triangle for each path algorithm that has used it, and up to 100 more for discs.
+/// world makes this context at the first query that needs one and gets none, and keeps it. Like every QueryContext, it
+/// takes 4 to 16 bytes per triangle for each path algorithm that has used it, and up to 100 more for discs.
 ///
 /// World::shrink_to_fit() does not free the slots of removed items, which later items will use. So if you have removed
 /// most items and want a smaller world, make a new world and insert the World::items() of the old world.

@@ -568,10 +568,10 @@ class WAYWRIGHT_API World {
   /// Returns the memory of the world, by purpose. MemoryUse says what the result does not include.
   /// Cost: O(1).
   [[nodiscard]] MemoryUse memory() const;
-  /// Frees most of the spare memory (MemoryUse::spare), and the world's own context for queries. Call it if memory is
-  /// short, for example after you have loaded a level. The next operations allocate their scratch again. The call
-  /// changes no answer and no hash.
-  /// Cost: linear in the mesh. While it runs, it needs memory for a copy of one array at a time.
+  /// Frees most of the spare memory (MemoryUse::spare), and the world's own context for queries. The next operations
+  /// allocate their scratch again. The call changes no answer and no hash.
+  /// Cost: linear in the mesh. While it runs, it needs memory for a copy of one array at a time. If no item needs the
+  /// second mesh any more (WorldOptions::keep_bridges), the function frees this mesh and needs memory for new bridges.
   void shrink_to_fit();
 
   /// @}

@@ -138,7 +138,7 @@ void TwoCore::peel(const mesh::TriangleMesh& mesh) {
 /// and so on.
 void TwoCore::peel_from(const mesh::TriangleMesh& mesh, Face f) {
   while (is_core(f) && core_degree(f) < 2) {
-    if (degree(f) == 0) return write(f, kRoot);
+    if (core_degree(f) == 0) return write(f, kRoot);
     const HalfEdge up = mesh::half_edge(f, static_cast<std::uint32_t>(std::countr_zero(core_passages(f))));
     write(f, tree_state(up));
     const HalfEdge back = mesh.twin(up);
