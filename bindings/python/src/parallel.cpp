@@ -96,7 +96,7 @@ void Batch::run(ContextPool& contexts, Reporter& reporter, const Answer& answer)
 
 void refuse_query(Error error, std::size_t index) {
   error.index = index;
-  error.words.list = "query";
+  error.words.element_noun = "query";
   throw BadResult(std::move(error));
 }
 
