@@ -46,29 +46,60 @@ enum class Holding {
   until_next  ///< releases each after the next is made
 };
 
-/// Times publish() after every kChanges moves. Either new polygons move every time, or always the same.
-void time_publish(benchmark::State& state, std::size_t vertices, Holding holding, bool are_same_polygons) {
+/// The changes between two snapshots in time_publish().
+enum class Changes {
+  moves,       ///< moves of random polygons: each removes the old shape and inserts the new one
+  same_moves,  ///< moves of always the same polygons
+  buildings    ///< removals of random polygons and, as often, insertions of polygons in empty squares
+};
+
+/// Makes kChanges changes in a town. `round` is the number of earlier calls.
+class TownChanger {
+ public:
+  TownChanger(Town& town, Changes changes) : town_(town), changes_(changes), polygons_(town.random_moves(kChanges)) {
+    constexpr std::size_t kEmptySquares = 1000;
+    if (changes != Changes::buildings) return;
+    for (std::size_t i = 0; i < kEmptySquares; ++i) town.world().apply({town.random_removal()}).value();
+  }
+
+  void run(std::size_t round) {
+    for (std::size_t k = 0; k < kChanges; ++k) town_.world().apply({next(round, k)}).value();
+  }
+
+ private:
+  [[nodiscard]] Change next(std::size_t round, std::size_t k) {
+    switch (changes_) {
+      case Changes::moves:
+        return town_.random_move();
+      case Changes::buildings:
+        return k % 2 == 0 ? town_.random_removal() : town_.insertion();
+      case Changes::same_moves:
+        break;
+    }
+    const auto step = static_cast<double>(round % 5) / 4;
+    return Change::replace(polygons_[k].id, translated(polygons_[k].shape, step, 0));
+  }
+
+  Town& town_;
+  Changes changes_;
+  std::vector<Change> polygons_;  ///< for Changes::same_moves
+};
+
+/// Times publish() after every kChanges changes.
+void time_publish(benchmark::State& state, std::size_t vertices, Holding holding, Changes changes) {
   constexpr std::size_t kRounds = 2000;
   constexpr std::size_t kFirst = 20;  // the first snapshots are copies
   Town town(vertices);
-  World& world = town.world();
-  const std::vector<Change> polygons = town.random_moves(kChanges);
+  const World& world = town.world();
+  TownChanger changer(town, changes);
   std::vector<double> times;
   WorldSnapshot held;
   for ([[maybe_unused]] const auto iteration : state) {
     for (std::size_t i = 0; i < kRounds + kFirst; ++i) {
-      for (std::size_t k = 0; k < kChanges; ++k) {
-        if (are_same_polygons) {
-          const auto step = static_cast<double>(i % 5) / 4;
-          world.replace(polygons[k].id, translated(polygons[k].shape, step, 0)).value();
-        } else {
-          const Change move = town.random_move();
-          world.replace(move.id, move.shape).value();
-        }
-      }
+      changer.run(i);
       if (holding == Holding::none) held.release();
       const auto start = Clock::now();
-      WorldSnapshot snapshot = world.publish();
+      WorldSnapshot snapshot = town.world().publish();
       if (i >= kFirst) times.push_back(microseconds_since(start));
       held = std::move(snapshot);
     }
@@ -176,12 +207,15 @@ void time_readers(benchmark::State& state, std::size_t vertices, std::chrono::mi
 void register_snapshots() {
   const auto add_all = [](const std::string& prefix, std::size_t vertices) {
     const std::string size = '/' + std::to_string(vertices);
-    register_single_run(prefix + "publish" + size + "/released",
-                        [=](benchmark::State& state) { time_publish(state, vertices, Holding::none, false); });
-    register_single_run(prefix + "publish" + size + "/held_until_next",
-                        [=](benchmark::State& state) { time_publish(state, vertices, Holding::until_next, false); });
-    register_single_run(prefix + "publish" + size + "/same_polygons",
-                        [=](benchmark::State& state) { time_publish(state, vertices, Holding::until_next, true); });
+    const auto add_publish = [&](const std::string& name, Holding holding, Changes changes) {
+      register_single_run(prefix + "publish" + size + name,
+                          [=](benchmark::State& state) { time_publish(state, vertices, holding, changes); });
+    };
+    add_publish("/released", Holding::none, Changes::moves);
+    add_publish("/held_until_next", Holding::until_next, Changes::moves);
+    add_publish("/same_polygons", Holding::until_next, Changes::same_moves);
+    add_publish("/buildings", Holding::none, Changes::buildings);
+    add_publish("/buildings_held_until_next", Holding::until_next, Changes::buildings);
     register_single_run(prefix + "updates_beside_snapshots" + size,
                         [=](benchmark::State& state) { time_updates_beside(state, vertices); });
     register_single_run(prefix + "readers_beside_writer" + size + "/without_pause",

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <vector>
 
 #include "waywright/change.hpp"
@@ -37,6 +38,21 @@ class Town {
     return Change::replace({square + 1}, building(square));
   }
 
+  /// Returns the removal of a random polygon. Make the change before the next call.
+  [[nodiscard]] Change random_removal() {
+    std::size_t square = random_.below(row_length_ * row_length_);
+    while (!world_.contains({square + 1})) square = random_.below(row_length_ * row_length_);
+    empty_squares_.push_back(square);
+    return Change::remove({square + 1});
+  }
+
+  /// Returns the insertion of a polygon in the square that has been empty for the longest time since random_removal().
+  [[nodiscard]] Change insertion() {
+    const std::size_t square = empty_squares_.front();
+    empty_squares_.pop_front();
+    return Change::insert(building(square), {square + 1});
+  }
+
   [[nodiscard]] std::vector<Change> random_moves(std::size_t count) {
     std::vector<Change> moves;
     for (std::size_t i = 0; i < count; ++i) moves.push_back(random_move());
@@ -67,7 +83,8 @@ class Town {
   }
 
   Random random_{1};
-  std::size_t row_length_;  ///< the number of squares along each axis
+  std::size_t row_length_;                 ///< the number of squares along each axis
+  std::deque<std::size_t> empty_squares_;  ///< the squares of removed polygons, in the order of the removals
   World world_ = World::create({{0, 0}, {1, 1}}).value();
 };
 
