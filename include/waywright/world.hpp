@@ -190,9 +190,9 @@ class WAYWRIGHT_API World {
   std::uint64_t mark();
 
   /// Brings back the state of the world at a tick, as one operation: the same items with the same shapes, the same next
-  /// id, the same mesh and hashes. So every query gives the same answer (for Path::expansions of a query with a radius,
-  /// this is not certain), and every later operation has the same result. Afterwards, `tick` is the last tick of the
-  /// history: the later ticks no longer exist. version() grows by one: for changes_since(), a rewind is an operation.
+  /// id, the same mesh and hashes. So every query gives the same answer, and every later operation has the same result.
+  /// Afterwards, `tick` is the last tick of the history: the later ticks no longer exist. version() grows by one: for
+  /// changes_since(), a rewind is an operation.
   /// Errors: no_history; old_tick, if the history no longer has the tick; unknown_tick, if no mark has this tick.
   /// Error::index is the tick.
   /// Cost: for each item that has changed since the tick, at most one removal and one insertion, however often it has
@@ -310,8 +310,8 @@ class WAYWRIGHT_API World {
   [[nodiscard]] Result<void> shape(ItemId id, Shape& shape) const;
 
   /// Returns all live items, ascending by id, with shapes as shape() gives them. If you insert them with insert_all()
-  /// into a new world over the same domain, the two worlds have the same mesh and give the same answers, except perhaps
-  /// Path::expansions of a query with a radius. The ids of later items can differ: see reserve_ids().
+  /// into a new world over the same domain, the two worlds have the same mesh and give the same answers. The ids of
+  /// later items can differ: see reserve_ids().
   /// Cost: O(n log n), and linear in the points of the items.
   [[nodiscard]] std::vector<Item> items() const;
   /// @copydoc items() const

@@ -76,6 +76,8 @@ Clearance::Clearance(const Triangulation& world) {
 void Clearance::begin() {
   changed_.clear();
   changed_walls_.clear();
+  removed_polygons_.clear();
+  inserted_polygons_.clear();
   are_bridges_changed_ = false;
 }
 
@@ -100,7 +102,7 @@ void Clearance::update(const Triangulation& world, const mesh::TouchedFaces& tou
   changed_walls_.sort();
   if (walls_) {
     update_walls(world);
-    const mesh::TouchedFaces::Guard guard(touched_walls_);
+    touched_guard_.emplace(touched_walls_);
     touched_walls_.collect(walls_->topology());
     bridges_->update(*walls_, touched_walls_, changed_walls_);
   } else {
@@ -124,11 +126,22 @@ void Clearance::make_walls(const Triangulation& world) {
 /// Makes the operation's changes in the second triangulation. A replacement is a removal and an insertion.
 void Clearance::update_walls(const Triangulation& world) {
   walls_guard_.emplace(*walls_);
+  const constraint::ItemTable& items = walls_->items();
+  for (const ItemId id : changed_) {
+    if (!items.contains(id)) continue;
+    if (items.is_polygon(items.slot(id))) removed_polygons_.push_back(items.slot(id));
+    walls_->remove(id);
+  }
+  insert_walls(world);
+  for (const ItemId id : changed_) {
+    if (items.contains(id) && items.is_polygon(items.slot(id))) inserted_polygons_.push_back(items.slot(id));
+  }
+}
+
+/// Inserts the changed items of the world into the second triangulation.
+void Clearance::insert_walls(const Triangulation& world) {
   std::vector<Item> items;
   std::vector<ItemId> ids;
-  for (const ItemId id : changed_) {
-    if (walls_->items().contains(id)) walls_->remove(id);
-  }
   for (const ItemId id : changed_) {
     if (!world.items().contains(id) || !take_walls(world, world.items().slot(id), outline_, shape_)) continue;
     if (changed_.size() == 1) return walls_->insert(shape_, id);
@@ -141,11 +154,13 @@ void Clearance::update_walls(const Triangulation& world) {
 void Clearance::commit() {
   if (walls_guard_) walls_guard_->commit();
   walls_guard_.reset();
+  touched_guard_.reset();
   old_bridges_.reset();
   bridges_->commit();
 }
 
 void Clearance::roll_back() {
+  touched_guard_.reset();
   if (old_bridges_) {
     bridges_ = std::move(old_bridges_);
     walls_.reset();
@@ -170,7 +185,7 @@ std::optional<std::string> Clearance::find_fault(const Triangulation& world) con
 void Clearance::count_memory(MemoryUse& use) const {
   bridges_->count_memory(use);
   use.spare += sizeof(Clearance) + sizeof(Bridges);
-  memory::count_spare(use, changed_, outline_.corners, outline_.ring_ends);
+  memory::count_spare(use, changed_, removed_polygons_, inserted_polygons_, outline_.corners, outline_.ring_ends);
   changed_walls_.count_memory(use);
   touched_walls_.count_memory(use);
   use.spare += shape_.rings.points().size_bytes();
@@ -182,7 +197,7 @@ void Clearance::count_memory(MemoryUse& use) const {
 }
 
 void Clearance::shrink_to_fit(const Triangulation& world) {
-  memory::release(changed_, outline_.corners, outline_.ring_ends);
+  memory::release(changed_, removed_polygons_, inserted_polygons_, outline_.corners, outline_.ring_ends);
   changed_walls_.release();
   touched_walls_.release();
   shape_ = {};

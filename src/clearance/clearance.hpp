@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,20 @@ class Clearance {
   [[nodiscard]] const Triangulation& triangulation_of_walls(const Triangulation& world) const {
     return walls_ ? *walls_ : world;
   }
+  /// The second triangulation, or null if there is none.
+  [[nodiscard]] const Triangulation* second_triangulation() const { return walls_.get(); }
   [[nodiscard]] const Bridges& bridges() const { return *bridges_; }
+
+  /// What the last update() has changed in the second triangulation. Requires: update() did not make it.
+  struct ChangesOfWalls {
+    const mesh::TouchedFaces& touched;
+    std::span<const std::uint32_t> removed;   ///< polygons, by slot
+    std::span<const std::uint32_t> inserted;  ///< polygons, by slot
+  };
+  /// Requires: the operation that called update() has not ended.
+  [[nodiscard]] ChangesOfWalls changes_of_walls() const {
+    return {touched_walls_, removed_polygons_, inserted_polygons_};
+  }
 
   /// Makes an operation atomic. If the object is destroyed before commit(), for example because memory ran out, the
   /// destructor undoes update(). Requires: no other operation is under way.
@@ -88,6 +102,7 @@ class Clearance {
   [[nodiscard]] bool is_any_changed_loose(const Triangulation& world) const;
   void make_walls(const Triangulation& world);
   void update_walls(const Triangulation& world);
+  void insert_walls(const Triangulation& world);
 
   std::unique_ptr<Triangulation> walls_;  ///< the second triangulation, or null
   std::unique_ptr<Bridges> bridges_;
@@ -95,7 +110,10 @@ class Clearance {
   // The next members belong to the operation under way.
   std::vector<ItemId> changed_;
   ChangedWalls changed_walls_;
-  std::optional<Triangulation::UndoGuard> walls_guard_;  ///< set if the operation changes the second triangulation
+  std::optional<Triangulation::UndoGuard> walls_guard_;     ///< set if the operation changes the second triangulation
+  std::optional<mesh::TouchedFaces::Guard> touched_guard_;  ///< set if `touched_walls_` is not empty
+  std::vector<std::uint32_t> removed_polygons_;             ///< see ChangesOfWalls
+  std::vector<std::uint32_t> inserted_polygons_;            ///< see ChangesOfWalls
   std::unique_ptr<Bridges> old_bridges_;  ///< the bridges of the world, if the operation made the second triangulation
   bool are_bridges_changed_ = false;
 

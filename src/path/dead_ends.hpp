@@ -38,10 +38,6 @@ class DeadEnds {
     const mesh::HalfEdge up = core_->towards_core(f);
     return up == mesh::kNoHalfEdge ? 0 : 1U << mesh::index_in(f, up);
   }
-  /// Returns whether the face is a tree face, and no goal face lies in its subtree.
-  [[nodiscard]] bool is_tree_face_without_goal(mesh::Face f) const {
-    return core_ != nullptr && !core_->is_core(f) && goals_below(f) == 0;
-  }
   /// Calls visit(face) for each goal face. If begin() was called with a core, also calls it for each face on the way
   /// from a goal face towards the core: up to the first face of the core or, in a component without a core, up to the
   /// root. May visit a face more than once.

@@ -36,12 +36,19 @@ void DiscChannel::restart() {
   open_.clear();
   exits_.clear();
   stamp_.next(kMarks, marks_);
-  ends_->for_each_above_goal([&](mesh::Face f) {
-    for (const HalfEdge h : {mesh::first(f), mesh::next(mesh::first(f)), mesh::previous(mesh::first(f))}) {
-      mark_of(f, h) = stamp_.value() + kAboveGoal;
-    }
-  });
+  ends_->for_each_above_goal([&](mesh::Face f) { add_mark(f, kAboveGoal); });
+  const locate::Located& start = ends_->at_start();
+  add_mark(mesh::face(start.h), kStart);
+  if (start.kind == locate::LocatedKind::edge) add_mark(mesh::face(map_->mesh().twin(start.h)), kStart);
   leave_start(ends_->at_start());
+}
+
+/// Adds a mark to a face and to its half-edges.
+void DiscChannel::add_mark(mesh::Face f, std::uint32_t added) {
+  for (const HalfEdge h : {mesh::first(f), mesh::next(mesh::first(f)), mesh::previous(mesh::first(f))}) {
+    std::uint32_t& mark = mark_of(f, h);
+    mark = std::max(mark, stamp_.value()) | added;
+  }
 }
 
 void DiscChannel::leave_start(const locate::Located& location) {
@@ -136,7 +143,9 @@ void DiscChannel::leave(const Node& node, std::uint32_t index) {
 }
 
 /// Follows the channel as long as there is no choice. Pauses (opens a node) where another channel has a smaller bound.
-/// So the search does not follow a long corridor that leads away from the goal.
+/// So the search does not follow a long corridor that leads away from the goal. Also pauses where the channel enters a
+/// face that contains the start. Otherwise it would continue across another edge of this face, before the shorter
+/// channel that starts at this edge.
 void DiscChannel::follow(Channel channel, std::uint32_t before) {
   constexpr unsigned kFacesPerPause = 16;  // To compute a bound costs about as much as to enter a face.
   const mesh::TriangleMesh& mesh = map_->mesh();
@@ -161,7 +170,8 @@ void DiscChannel::follow(Channel channel, std::uint32_t before) {
     if ((edges >> kNext[i] & 1U) != 0 && is_open(right_exit, squared_length(apex - channel.right), right_exit)) {
       exits |= kRight;
     }
-    const bool has_choice = exits == (kLeft | kRight) || (is_above_goal && ends_->is_goal_face(f));
+    const bool has_choice =
+        exits == (kLeft | kRight) || (is_above_goal && ends_->is_goal_face(f)) || (exits != 0 && (marks & kStart) != 0);
     if (has_choice || (faces % kFacesPerPause == 0 && exits != 0)) {
       const double length = channel.sight.length_to(ends_->goal());
       if (has_choice || (!open_.empty() && length > open_.least_bound())) {

@@ -43,7 +43,8 @@ class DiscChannel {
   static constexpr std::uint32_t kRight = 2;      ///< a channel has left the face to the right, and had no choice
   static constexpr std::uint32_t kEntered = 4;    ///< a channel has entered the face and has continued from there
   static constexpr std::uint32_t kAboveGoal = 8;  ///< DeadEnds::for_each_above_goal() visits the face
-  static constexpr std::uint32_t kMarks = 16;
+  static constexpr std::uint32_t kStart = 16;     ///< the face contains the start
+  static constexpr std::uint32_t kMarks = 32;
 
   /// A channel that the search is following.
   struct Channel {
@@ -61,6 +62,7 @@ class DiscChannel {
   };
 
   void restart();
+  void add_mark(mesh::Face f, std::uint32_t added);
   void leave_start(const locate::Located& location);
   void follow(Channel channel, std::uint32_t before);
   void leave(const Node& node, std::uint32_t index);

@@ -17,6 +17,7 @@ void DiscGuide::begin(const DiscMap& map, const DiscEnds& ends, const Point& sta
   mesh::Face start_faces[2];
   for (std::size_t i = 0; i < last_.size(); ++i) start_faces[i] = mesh::face(last_[i]);
   distances_.begin(map, ends.start(), std::span(start_faces, last_.size()));
+  for (const HalfEdge h : first_) distances_.enter(mesh::face(h));
   if (is_goal_on_edge) distances_.cross(mesh::face(at_goal), at_goal);
   const locate::LocatedKind kind = is_goal_on_edge ? locate::LocatedKind::edge : locate::LocatedKind::face;
   search_.begin(map.triangulation, nullptr, {goal, kind, first_}, true);

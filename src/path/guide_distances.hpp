@@ -45,6 +45,8 @@ class GuideDistances {
     }
     known = {length + std::sqrt(squared), stamp_.value()};
   }
+  /// Records that the guide starts in the face `f`.
+  void enter(mesh::Face f) { crossed_[number(f)] = std::max(crossed_[number(f)], stamp_.value()); }
   /// Records that the guide has crossed the edge `entry` and has entered the face `f`.
   void cross(mesh::Face f, mesh::HalfEdge entry) {
     std::uint32_t& crossed = crossed_[number(f)];
@@ -56,13 +58,13 @@ class GuideDistances {
 
   /// Returns whether the guide has crossed the edge, or the goal of the disc, where the guide starts, lies on it.
   [[nodiscard]] bool is_crossed(mesh::HalfEdge h) const { return is_entered(h) || is_entered(map_->mesh().twin(h)); }
-  /// Returns whether the guide does not look into one of the two faces of the edge, because it lies in a dead end. Then
-  /// the distances and marks say nothing about the edge. `h` may also be the corner of a face from which the search has
-  /// reached a pivot. If the function then returns true, the distance of the origin of `h` is no lower bound for a path
-  /// that turns at this pivot.
+  /// Returns whether one of the two faces of the edge is a tree face (DeadEnds) that the guide has not entered. Then
+  /// the distances and marks say nothing about the edge: a disc can touch a vertex of this face, although its centre
+  /// and the guide stay outside. `h` may also be the corner of a face from which the search has reached a pivot. If the
+  /// function then returns true, the distance of the origin of `h` is no lower bound for a path that turns at this
+  /// pivot.
   [[nodiscard]] bool is_unknown(mesh::HalfEdge h) const {
-    return dead_ends_.is_tree_face_without_goal(mesh::face(h)) ||
-           dead_ends_.is_tree_face_without_goal(mesh::face(map_->mesh().twin(h)));
+    return is_unknown(mesh::face(h)) || is_unknown(mesh::face(map_->mesh().twin(h)));
   }
   /// Returns whether a path of the guide that is shorter than the limit may lead through the vertex, whose position is
   /// `at`.
@@ -88,6 +90,9 @@ class GuideDistances {
   static constexpr std::uint32_t kFirstStampBit = 8;
 
   [[nodiscard]] static std::uint32_t bit_of(mesh::Face f, mesh::HalfEdge h) { return 1U << mesh::index_in(f, h); }
+  [[nodiscard]] bool is_unknown(mesh::Face f) const {
+    return map_->core != nullptr && !map_->core->is_core(f) && crossed_[number(f)] < stamp_.value();
+  }
   /// Returns whether the guide has entered the face of `h` across its edge `h`.
   [[nodiscard]] bool is_entered(mesh::HalfEdge h) const {
     const mesh::Face f = mesh::face(h);

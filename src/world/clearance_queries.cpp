@@ -128,7 +128,7 @@ Result<void> World::bridges(const Box& box, QueryContext& context, BridgeList& l
   const clearance::Clearance& clearance = *impl_->clearance;
   const constraint::ExactTriangulation& walls = clearance.triangulation_of_walls(impl_->triangulation);
   nav::ComponentCoverFinder& cover_finder = context.scratch_->cover_finder;
-  cover_finder.use(&walls == &impl_->triangulation ? impl_->kept_abstraction() : nullptr);
+  cover_finder.use(impl_->kept_abstraction_for_discs());
   context.scratch_->bridge_lister.list(walls, clearance.bridges(), cover_finder, box, list);
   return {};
 }

@@ -249,16 +249,20 @@ std::optional<Point> World::Impl::find_disc_end(const PathQuery& query, const Po
   return nearest_fit_of_disc(nearest, scratch);
 }
 
-/// Starts the search for a path, or finds the straight line. Requires: the disc fits at both ends.
+/// Starts the search for a path. Ends it at once if the straight line is the path, or if the ends are not connected.
+/// Requires: the disc fits at both ends.
 void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch& scratch) const {
   detail::DiscSearch& disc = scratch.disc_search;
   const constraint::ExactTriangulation& walls = clearance->triangulation_of_walls(triangulation);
-  const bool has_abstraction = abstraction && &walls == &triangulation;
+  const nav::Abstraction* const known = kept_abstraction_for_discs();
   disc.start = query.start;
   disc.goal = query.goal;
-  disc.map.emplace(walls, clearance->bridges(), query.radius, query.start,
-                   has_abstraction ? &abstraction->core() : nullptr);
+  disc.map.emplace(walls, clearance->bridges(), query.radius, query.start, known != nullptr ? &known->core() : nullptr);
   disc.ends.begin(*disc.map, query.start, query.goal);
+  if (known != nullptr && !disc.ends.are_connected(known->components())) {
+    disc.outcome = Outcome::none;
+    return;
+  }
   disc.outcome = Outcome::running;
   if (find_straight(disc)) return;
   disc.algorithm = query.algorithm;
@@ -289,7 +293,7 @@ bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& 
   }
   begin_disc_search(moved, scratch);
   if (disc.outcome == Outcome::running) return false;
-  write_path(disc, kInfinity, path);
+  if (disc.outcome == Outcome::found) write_path(disc, kInfinity, path);
   write_time(disc, path);
   return true;
 }

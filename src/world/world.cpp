@@ -73,6 +73,7 @@ MemoryUse World::memory() const {
   impl_->touched_faces.count_memory(use);
   memory::count_spare(use, impl_->outline.corners, impl_->outline.ring_ends);
   if (impl_->abstraction) impl_->abstraction->count_memory(use);
+  if (impl_->abstraction_of_walls) impl_->abstraction_of_walls->count_memory(use);
   if (impl_->clearance) impl_->clearance->count_memory(use);
   if (impl_->snapshots) impl_->snapshots->count_memory(use);
   return use;
@@ -83,6 +84,13 @@ void World::shrink_to_fit() {
   impl_->triangulation.shrink_to_fit();
   if (impl_->abstraction) impl_->abstraction->shrink_to_fit();
   if (impl_->clearance) impl_->clearance->shrink_to_fit(impl_->triangulation);
+  if (impl_->abstraction_of_walls) {
+    if (impl_->clearance->second_triangulation() == nullptr) {
+      impl_->abstraction_of_walls.reset();
+    } else {
+      impl_->abstraction_of_walls->shrink_to_fit();
+    }
+  }
   impl_->change_log.shrink_to_fit();
   impl_->history.shrink_to_fit();
   impl_->touch_log->shrink_to_fit();
@@ -97,6 +105,9 @@ Validation World::validate() const {
   auto fault = impl_->triangulation.find_fault();
   if (!fault && impl_->abstraction) fault = impl_->abstraction->find_fault(impl_->triangulation);
   if (!fault && impl_->clearance) fault = impl_->clearance->find_fault(impl_->triangulation);
+  if (!fault && impl_->abstraction_of_walls) {
+    fault = impl_->abstraction_of_walls->find_fault(*impl_->clearance->second_triangulation());
+  }
   if (!fault) return {};
   return {false, *std::move(fault)};
 }

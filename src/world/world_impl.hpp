@@ -56,6 +56,7 @@ class WAYWRIGHT_INTERNAL World::Operation {
   void commit();
 
  private:
+  void update_abstraction_of_walls();
   void note_inserted(ItemKind kind, ItemId id);
   void note_changed(ItemId id);
   [[nodiscard]] bool is_limited() const { return kind_ == Kind::change || kind_ == Kind::attempt; }
@@ -63,6 +64,7 @@ class WAYWRIGHT_INTERNAL World::Operation {
   Impl& impl_;
   Kind kind_;
   bool is_committed_ = false;
+  bool has_made_abstraction_of_walls_ = false;
   constraint::ExactTriangulation::UndoGuard operation_;
   std::optional<clearance::Clearance::UndoGuard> clearance_operation_;
 };
@@ -79,6 +81,7 @@ struct WAYWRIGHT_INTERNAL World::Impl {
       : triangulation(other.triangulation),
         limits(other.limits),
         abstraction(other.abstraction),
+        abstraction_of_walls(other.abstraction_of_walls),
         clearance(other.clearance ? std::make_unique<clearance::Clearance>(*other.clearance) : nullptr),
         touch_log(std::make_shared<TouchLog>(other.version())),
         change_log(other.change_log),
@@ -159,10 +162,17 @@ struct WAYWRIGHT_INTERNAL World::Impl {
                                                                  detail::QueryScratch& scratch) const;
   /// Returns the abstraction, or null.
   [[nodiscard]] const nav::Abstraction* kept_abstraction() const { return abstraction ? &*abstraction : nullptr; }
+  /// Returns the abstraction of the mesh in which the searches for discs run (Clearance::triangulation_of_walls()), or
+  /// null. Requires: the world keeps bridges.
+  [[nodiscard]] const nav::Abstraction* kept_abstraction_for_discs() const {
+    return abstraction_of_walls ? &*abstraction_of_walls : kept_abstraction();
+  }
 
   constraint::ExactTriangulation triangulation;
   constraint::VertexLimits limits;  ///< of each operation
   std::optional<nav::Abstraction> abstraction;
+  /// The abstraction of the second triangulation of `clearance`. It exists if `abstraction` and this triangulation do.
+  std::optional<nav::Abstraction> abstraction_of_walls;
   std::unique_ptr<clearance::Clearance> clearance;  ///< null if the world keeps no bridges
   std::shared_ptr<TouchLog> touch_log = std::make_shared<TouchLog>();
   ChangeLog change_log;
@@ -179,6 +189,7 @@ inline World::Operation::Operation(Impl& impl, Kind kind)
       kind_(kind),
       operation_(impl.triangulation, is_limited() ? impl.limits : constraint::VertexLimits{}) {
   if (impl_.abstraction) impl_.abstraction->begin();
+  if (impl_.abstraction_of_walls) impl_.abstraction_of_walls->begin();
   if (impl_.clearance) clearance_operation_.emplace(*impl_.clearance);
   impl_.change_log.begin();
   impl_.history.begin();
@@ -186,7 +197,13 @@ inline World::Operation::Operation(Impl& impl, Kind kind)
 
 // The destructors of the members take back the changes of the mesh and of the bridges.
 inline World::Operation::~Operation() {
-  if (!is_committed_ && impl_.abstraction) impl_.abstraction->roll_back();
+  if (is_committed_ || !impl_.abstraction) return;
+  impl_.abstraction->roll_back();
+  if (has_made_abstraction_of_walls_) {
+    impl_.abstraction_of_walls.reset();
+  } else if (impl_.abstraction_of_walls) {
+    impl_.abstraction_of_walls->roll_back();
+  }
 }
 
 inline std::optional<Error> World::Operation::insert(const Shape& shape, ItemId id) {
@@ -230,7 +247,24 @@ inline void World::Operation::update() {
   const mesh::TouchedFaces::Guard guard(impl_.touched_faces);
   impl_.touched_faces.collect(impl_.triangulation.topology());
   if (impl_.clearance) impl_.clearance->update(impl_.triangulation, impl_.touched_faces);
-  if (impl_.abstraction) impl_.abstraction->update(impl_.triangulation, impl_.touched_faces);
+  if (!impl_.abstraction) return;
+  impl_.abstraction->update(impl_.triangulation, impl_.touched_faces);
+  update_abstraction_of_walls();
+}
+
+inline void World::Operation::update_abstraction_of_walls() {
+  if (!impl_.clearance || impl_.clearance->second_triangulation() == nullptr) return;
+  const constraint::ExactTriangulation& walls = *impl_.clearance->second_triangulation();
+  std::optional<nav::Abstraction>& abstraction = impl_.abstraction_of_walls;
+  if (!abstraction) {
+    abstraction.emplace(walls);
+    has_made_abstraction_of_walls_ = true;
+    return;
+  }
+  const auto changes = impl_.clearance->changes_of_walls();
+  for (const std::uint32_t polygon : changes.removed) abstraction->note_removed(polygon);
+  for (const std::uint32_t polygon : changes.inserted) abstraction->note_inserted(polygon);
+  abstraction->update(walls, changes.touched);
 }
 
 inline void World::Operation::commit() {
@@ -241,6 +275,7 @@ inline void World::Operation::commit() {
   if (impl_.abstraction) {
     impl_.touch_log->note_abstraction(*impl_.abstraction);
     impl_.abstraction->commit();
+    if (impl_.abstraction_of_walls) impl_.abstraction_of_walls->commit();
   }
   operation_.commit();
   if (clearance_operation_) clearance_operation_->commit();
@@ -292,8 +327,13 @@ std::optional<Error> World::Impl::replace_all(const Batch& batch, ItemId largest
   change_log.reserve();
   std::unique_ptr<clearance::Clearance> made_clearance;
   if (clearance) made_clearance = std::make_unique<clearance::Clearance>(made);
+  std::optional<nav::Abstraction> made_abstraction_of_walls;
+  if (abstraction && made_clearance && made_clearance->second_triangulation() != nullptr) {
+    made_abstraction_of_walls.emplace(*made_clearance->second_triangulation());
+  }
   if (abstraction) abstraction = nav::Abstraction(made);
   // Nothing can fail from here on.
+  abstraction_of_walls = std::move(made_abstraction_of_walls);
   clearance = std::move(made_clearance);
   triangulation = std::move(made);
   touch_log->note_everything();

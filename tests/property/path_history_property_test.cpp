@@ -22,13 +22,6 @@ constexpr std::size_t kLiveItems = 25;
 constexpr std::size_t kStepsBetween = 8;
 constexpr int kQueries = 12;
 
-/// Returns a new world with only these items, inserted from the last to the first.
-World fresh_world(const LiveItems& live) {
-  World world = World::create(live.domain()).value();
-  for (auto at = live.items().rbegin(); at != live.items().rend(); ++at) world.insert(at->second, at->first).value();
-  return world;
-}
-
 /// Compares paths in both worlds. Returns the number of paths found.
 std::size_t compare(const World& world, const World& fresh, Flavour flavour, Random& random, QueryContext& context) {
   std::size_t found = 0;

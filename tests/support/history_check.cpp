@@ -52,8 +52,7 @@ struct Answers {
         const Path path = world.find_path(query).value();
         points.push_back(path.points);
         numbers.insert(numbers.end(), {path.length, path.lower_bound});
-        // How many steps a disc's search takes depends on the numbers of the faces.
-        if (radius == 0.0) numbers.push_back(static_cast<double>(path.expansions));
+        numbers.push_back(static_cast<double>(path.expansions));
         affected.push_back(world.is_affected(path, world.version() / 2));
       }
       items.push_back(world.items_at(query.start).value());

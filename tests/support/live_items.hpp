@@ -81,6 +81,13 @@ class LiveItems {
   ItemId largest_;
 };
 
+/// Returns a new world with only these items, inserted from the last id to the first.
+[[nodiscard]] inline World fresh_world(const LiveItems& live, const WorldOptions& options = {}) {
+  World world = World::create(live.domain(), options).value();
+  for (auto at = live.items().rbegin(); at != live.items().rend(); ++at) world.insert(at->second, at->first).value();
+  return world;
+}
+
 /// Performs the step on a world.
 [[nodiscard]] inline Result<std::vector<ItemId>> perform(World& world, const Step& step) {
   if (step.is_batch) return world.apply(step.changes);

@@ -130,5 +130,57 @@ TEST(DiscTraTraps, HaveAPathExactlyIfThereIsOne) {
   EXPECT_GT(excess.count, 0U);
 }
 
+/// Expects the same path from both worlds, found with the same number of expansions, by all three algorithms.
+void expect_same_paths(const World& a, const World& b, const Point& start, const Point& goal, double radius) {
+  for (const PathAlgorithm algorithm : {PathAlgorithm::tra, PathAlgorithm::ta, PathAlgorithm::optimal}) {
+    const PathQuery query{.start = start, .goal = goal, .radius = radius, .algorithm = algorithm, .end_tolerance = 0.0};
+    const Path path = a.find_path(query).value();
+    const Path other = b.find_path(query).value();
+    EXPECT_EQ(path.status, PathStatus::found);
+    EXPECT_EQ(path.pieces, other.pieces);
+    EXPECT_EQ(path.length, other.length);
+    EXPECT_EQ(path.expansions, other.expansions);
+  }
+}
+
+// The half-edge with which a location names the start's face depends on the history. It must not decide in which
+// direction the search leaves the face first. Once, one of the two worlds returned a path of 72.56, the other of 70.50.
+TEST(DiscTraHistory, MakesNoDifferenceAfterARewind) {
+  World world = World::create({{0, 0}, {64, 64}}, {.keep_bridges = true}).value();
+  world.keep_history(1);
+  world.insert_segment({3.5, 28}, {58, 61}, 12).value();
+  world.insert_segment({29.5, 56}, {31, 57}, 10).value();
+  world.insert(Shape::polygon({{9, 54}, {16, 54}, {16, 62}, {9, 62}}), 17).value();
+  world.insert_segment({2, 56.5}, {51.5, 50.5}, 15).value();
+  const World before = world.clone();
+  const std::uint64_t tick = world.mark();
+  world.remove(10).value();
+  world.rewind(tick).value();
+  expect_same_paths(before, world, {47.5, 60.5}, {21.5, 45.5}, 0.25);
+}
+
+// With points, the search for discs runs in a second mesh without them. This mesh stays when the last point is removed.
+// A search in it must leave out the same dead ends.
+TEST(DiscTraHistory, MakesNoDifferenceAfterTheLastPointIsRemoved) {
+  const auto insert_walls = [](World& world) {
+    for (std::uint64_t i = 0; i < 6; ++i) {
+      const double x = 8.0 + 8.0 * static_cast<double>(i);
+      world.insert_segment({x, i % 2 == 0 ? 0.0 : 8.0}, {x, i % 2 == 0 ? 56.0 : 64.0}, {i + 1}).value();
+    }
+    world.insert(Shape::polygon({{26, 20}, {30, 20}, {30, 24}, {26, 24}}), 10).value();
+  };
+  World world = World::create({{0, 0}, {64, 64}}, {.keep_bridges = true}).value();
+  insert_walls(world);
+  World with_point = World::create({{0, 0}, {64, 64}}, {.keep_bridges = true}).value();
+  with_point.insert_point({36, 32}, 11).value();
+  insert_walls(with_point);
+  with_point.remove(10).value();
+  with_point.insert(Shape::polygon({{26, 20}, {30, 20}, {30, 24}, {26, 24}}), 10).value();
+  EXPECT_TRUE(with_point.validate().ok);
+  with_point.remove(11).value();
+  EXPECT_TRUE(with_point.validate().ok);
+  expect_same_paths(world, with_point, {2, 2}, {62, 62}, 1.0);
+}
+
 }  // namespace
 }  // namespace waywright::test
