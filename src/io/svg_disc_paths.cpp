@@ -176,13 +176,22 @@ class DiscPathDrawer {
       canvas_.drawing().clipped += "</g>\n";
     }
     draw_discs(path, found.colour, {});
-    canvas_.add_ends(path.query.start, path.query.goal, end_radius(path.query.radius), found.colour);
+    const auto [start, goal] = ends_of(path);
+    canvas_.add_ends(start, goal, end_radius(path.query.radius), found.colour);
   }
 
-  /// Draws the disc at the start and at the goal.
+  /// Returns where the path starts and ends. If the search has moved an end, this is the new position.
+  [[nodiscard]] static std::pair<Point, Point> ends_of(const SvgDiscPath& path) {
+    const Path& answer = path.answer;
+    return {answer.moved_start ? answer.moved_start->to : path.query.start,
+            answer.moved_goal ? answer.moved_goal->to : path.query.goal};
+  }
+
+  /// Draws the disc where the path starts and where it ends.
   void draw_discs(const SvgDiscPath& path, const Paint& colour, std::string_view attributes) {
     const double radius = pixels_of(path.query.radius);
-    for (const Point& end : {path.query.start, path.query.goal}) {
+    const auto [start, goal] = ends_of(path);
+    for (const Point& end : {start, goal}) {
       const Point centre = frame_.to_picture(end);
       if (!meets(frame_.map(), centre, radius)) continue;
       canvas_.drawing().clipped += disc_outline(centre, radius, colour, attributes) + "\n";

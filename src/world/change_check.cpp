@@ -16,6 +16,8 @@ constexpr std::size_t kLargestVertexCount = std::size_t{1} << 27;
 
 std::optional<Error> find_arity_error(const Shape& shape) {
   const auto refuse = [](detail::ErrorWords message) { return Error{ErrorCode::bad_shape, std::move(message), {}, 0}; };
+  if (shape.kind > ItemKind::polygon) return refuse("the kind of a shape is none of the values of ItemKind");
+  if (shape.fill > FillRule::nonzero) return refuse("the fill rule of a shape is none of the values of FillRule");
   if (shape.rings.empty()) return refuse("a shape needs a ring of points");
   for (const PointSpan& ring : shape.rings) {
     if (ring.empty()) return refuse("a ring needs at least one point");

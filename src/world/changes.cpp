@@ -47,7 +47,7 @@ std::optional<Error> add_change(ChangeCheck& check, const Change& change, ItemId
     case Change::Kind::replace:
       return check.add_replacement(id, change.shape);
   }
-  return std::nullopt;
+  return Error{ErrorCode::bad_shape, "the kind of a change is none of the values of Change::Kind", id, 0};
 }
 
 /// Returns the number of insertions with which the list begins.

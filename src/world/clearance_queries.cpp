@@ -27,6 +27,13 @@ void keep_one_of_each(std::vector<ItemId>& ids) {
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
+Error no_bridges_error() {
+  return {ErrorCode::no_bridges,
+          "the query needs a world that keeps its bridges: create it with the option keep_bridges",
+          {},
+          0};
+}
+
 }  // namespace
 
 Result<void> World::fit_disc(Point centre, double radius, QueryContext& context, DiscFit& fit) const {
@@ -83,7 +90,7 @@ Result<void> World::widest_path(Point start, Point goal, QueryContext& context, 
   const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), start, 0, "the start")) return *std::move(error);
   if (auto error = find_point_error(domain(), goal, 1, "the goal")) return *std::move(error);
-  if (!impl_->clearance) return Error{ErrorCode::no_bridges, "the query needs a world that keeps its bridges", {}, 0};
+  if (!impl_->clearance) return no_bridges_error();
   impl_->widest_path(start, goal, *context.scratch_, widest);
   return {};
 }
@@ -124,7 +131,7 @@ Result<WidestPath> World::widest_path(Point start, Point goal) const {
 Result<void> World::bridges(const Box& box, QueryContext& context, BridgeList& list) const {
   const base::FloatEnvironment environment;
   if (auto error = find_box_error(box)) return *std::move(error);
-  if (!impl_->clearance) return Error{ErrorCode::no_bridges, "the query needs a world that keeps its bridges", {}, 0};
+  if (!impl_->clearance) return no_bridges_error();
   const clearance::Clearance& clearance = *impl_->clearance;
   const constraint::ExactTriangulation& walls = clearance.triangulation_of_walls(impl_->triangulation);
   nav::ComponentCoverFinder& cover_finder = context.scratch_->cover_finder;

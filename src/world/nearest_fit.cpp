@@ -23,7 +23,11 @@ std::optional<Error> find_nearest_fit_error(const Box& domain, const Kept& kept,
   if (!query.goal) return std::nullopt;
   if (auto error = find_point_error(domain, *query.goal, 1, "the goal")) return error;
   if (query.radius > 0.0 && !kept.has_bridges) {
-    return Error{ErrorCode::no_bridges, "a goal and a radius above 0 need a world that keeps its bridges", {}, 0};
+    return Error{
+        ErrorCode::no_bridges,
+        "a goal and a radius above 0 need a world that keeps its bridges: create it with the option keep_bridges",
+        {},
+        0};
   }
   if (query.radius == 0.0 && !kept.has_abstraction) {
     return Error{ErrorCode::not_supported, "a goal and the radius 0 need a world that keeps its abstraction", {}, 0};

@@ -14,7 +14,10 @@ std::optional<Error> find_disc_radius_error(double radius) {
 std::optional<Error> find_radius_error(const Kept& kept, double radius) {
   if (auto error = find_disc_radius_error(radius)) return error;
   if (radius == 0.0 || kept.has_bridges) return std::nullopt;
-  return Error{ErrorCode::no_bridges, "a path for a radius above 0 needs a world that keeps its bridges", {}, 0};
+  return Error{ErrorCode::no_bridges,
+               "a radius above 0 needs a world that keeps its bridges: create it with the option keep_bridges",
+               {},
+               0};
 }
 
 std::optional<Error> find_tolerance_error(const std::optional<double>& tolerance) {

@@ -103,6 +103,19 @@ TEST(SvgDiscs, DrawsTheCentreLineWithItsArcs) {
   }
 }
 
+TEST(SvgDiscs, DrawsTheDiscWhereThePathEndsAfterTheSearchHasMovedTheGoal) {
+  World world = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
+  world.insert(Shape::polygon({{60, 30}, {90, 30}, {90, 70}, {60, 70}})).value();
+  const SvgOptions options = bare_options();
+  const SvgFrame frame = frame_of(world, options);
+  const PathQuery query{.start = {20, 50}, .goal = {75, 50}, .radius = 5, .end_tolerance = 50.0};
+  const json drawn = drawing_of(world, {.disc_paths = {{query, world.find_path(query).value()}}}, options);
+  const std::vector<json> discs = elements_of(drawn, "disc-paths", "circle");
+  ASSERT_EQ(discs.size(), 2U);
+  const Point end = frame.to_picture({55, 50});
+  EXPECT_LE(distance({number_of(discs[1], "cx"), number_of(discs[1], "cy")}, end), 0.01);
+}
+
 TEST(SvgDiscs, DrawsTheAreaAsAStrokeAsWideAsTheDisc) {
   const World world = make_yard();
   const SvgOptions options = bare_options();

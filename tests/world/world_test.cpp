@@ -155,6 +155,13 @@ TEST(World, RefusedInsertionsChangeNothing) {
   expect_refused(world.insert_polygon(std::vector<std::vector<Point>>{{{1, 1}}, {}}), ErrorCode::bad_shape, 0);
   expect_refused(world.insert({ItemKind::segment, {{{1, 1}}}}), ErrorCode::bad_shape, 0);
   expect_refused(world.insert({ItemKind::point, {{{1, 1}}, {{2, 2}}}}), ErrorCode::bad_shape, 0);
+  expect_refused(world.insert({static_cast<ItemKind>(77), {{{1, 1}}}}), ErrorCode::bad_shape, 0);
+  Shape shape = Shape::polygon({{1, 1}, {2, 1}, {2, 2}});
+  shape.fill = static_cast<FillRule>(9);
+  expect_refused(world.insert(shape), ErrorCode::bad_shape, 0);
+  Change change = Change::insert(Shape::point({1, 1}));
+  change.kind = static_cast<Change::Kind>(9);
+  EXPECT_EQ(world.apply({change}).error().code, ErrorCode::bad_shape);
   expect_refused(world.insert_polygon(std::vector<std::vector<Point>>{{{1, 1}, {2, 2}}, {{kNan, 1}}}),
                  ErrorCode::coordinate_range, 2);
   EXPECT_EQ(world.item_count(), 1U);
