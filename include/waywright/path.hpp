@@ -68,6 +68,12 @@ struct PathQuery {
   /// The radius of the agent, 0 or more. With a radius above 0 the world must keep its bridges
   /// (WorldOptions::keep_bridges), and the path is in Path::pieces. The first path of PathAlgorithm::ta is then the
   /// path of PathAlgorithm::tra.
+  ///
+  /// The library decides exactly whether the disc fits at an end, and whether it passes a gap. It computes everything
+  /// else in doubles. Let m be the largest magnitude of a coordinate of the domain. Then a path may come nearer to a
+  /// wall than the radius by m / 2^50, or by the rounding error of a crossing. If the radius is below m / 2^48, the
+  /// search may find no path although there is one. So choose a domain that is not much larger than the area of the
+  /// items.
   double radius = 0.0;
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   PathBudget budget{};
@@ -210,7 +216,7 @@ struct WAYWRIGHT_API Path {
   std::vector<Point> points;
   /// The lines and arcs from the start to the goal, if the query has a radius above 0. The list is empty if the radius
   /// is 0, or if there is no path. If start and goal are equal, there is one line of length 0. No wall is nearer to a
-  /// position on the pieces than the radius, up to rounding errors.
+  /// position on the pieces than the radius, up to rounding errors (PathQuery::radius).
   std::vector<PathPiece> pieces;
   /// The edges that the path crosses, in order. The list is empty if there is no path, if PathQuery::wants_channel is
   /// false, or if the query has a radius above 0: the lines and arcs may leave the channel of the search.
@@ -307,9 +313,12 @@ struct WAYWRIGHT_API Path {
 struct ManyGoalsQuery {
   Point start;
   std::span<const Point> goals;
-  double radius = 0.0;                    ///< the radius of the agent, 0 or more: like PathQuery::radius
-  bool wants_points = false;              ///< whether the answers have points or pieces, besides status and length
-  std::optional<double> end_tolerance{};  ///< like PathQuery::end_tolerance, for the start and for each goal
+  double radius = 0.0;        ///< the radius of the agent, 0 or more: like PathQuery::radius
+  bool wants_points = false;  ///< whether the answers have points or pieces, besides status and length
+  /// Like PathQuery::end_tolerance, for the start and for each goal. With the radius 0 there is one difference, because
+  /// all paths begin at the same point: the search moves only a blocked start, and does not prefer positions that are
+  /// connected with a goal.
+  std::optional<double> end_tolerance{};
 };
 
 /// @}

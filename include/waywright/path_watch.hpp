@@ -71,7 +71,9 @@ class WAYWRIGHT_API PathWatch {
   PathWatch& operator=(PathWatch&&) noexcept;
 
   /// Watches a path under a key. If the watch has a path under this key, the new path replaces it. The path must
-  /// be the answer of a query (found or not) in the world as it is now, or as it was at the last update().
+  /// be the answer of a query (found or not) in the world as it is now, or as it was at the last update(). An older
+  /// answer is allowed, too, if no operation since then has blocked the path: for example the paths of all units after
+  /// World::rewind(). Then update() reports no effect of the operations before the last update().
   /// Cost: linear in the points or pieces of the path.
   void add(std::uint64_t key, const Path& path);
   /// Stops watching the path under a key. Returns whether the watch had a path under this key.

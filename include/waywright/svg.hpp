@@ -31,8 +31,10 @@ enum class SvgTheme : std::uint8_t {
 /// const std::string svg = to_svg(world, {}, options).value();
 /// @endcode
 struct SvgOptions {
-  double width = 1200.0;  ///< the width of the picture in pixels, 240 to 100,000; the height follows from the content
-  bool mesh = true;       ///< draw the free edges
+  /// The width of the picture in pixels, 240 to 100,000: a smaller or larger value counts as the nearer limit, and NaN
+  /// as 1200. The height follows from the content.
+  double width = 1200.0;
+  bool mesh = true;  ///< draw the free edges
   bool axes = true;  ///< draw marks with coordinates on the axes, a scale bar, and a sign that shows the direction of y
   bool ids = true;   ///< show the kind and the id of an item while the pointer is on it
   bool y_down = false;  ///< whether the y axis of the world points down
