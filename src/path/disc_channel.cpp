@@ -1,6 +1,7 @@
 #include "path/disc_channel.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace waywright::path {
 
@@ -143,9 +144,9 @@ void DiscChannel::leave(const Node& node, std::uint32_t index) {
 }
 
 /// Follows the channel as long as there is no choice. Pauses (opens a node) where another channel has a smaller bound.
-/// So the search does not follow a long corridor that leads away from the goal. Also pauses where the channel enters a
-/// face that contains the start. Otherwise it would continue across another edge of this face, before the shorter
-/// channel that starts at this edge.
+/// So the search does not follow a long corridor that leads away from the goal. Also pauses where the channel returns
+/// to a face that contains the start, until no other channel is left. A shortest path returns there only if a foot
+/// bridge divides the face. In all other cases, the channel is longer than the one that leaves the face there at once.
 void DiscChannel::follow(Channel channel, std::uint32_t before) {
   constexpr unsigned kFacesPerPause = 16;  // To compute a bound costs about as much as to enter a face.
   const mesh::TriangleMesh& mesh = map_->mesh();
@@ -170,12 +171,13 @@ void DiscChannel::follow(Channel channel, std::uint32_t before) {
     if ((edges >> kNext[i] & 1U) != 0 && is_open(right_exit, squared_length(apex - channel.right), right_exit)) {
       exits |= kRight;
     }
-    const bool has_choice =
-        exits == (kLeft | kRight) || (is_above_goal && ends_->is_goal_face(f)) || (exits != 0 && (marks & kStart) != 0);
+    const bool returns_to_start = exits != 0 && (marks & kStart) != 0;
+    const bool has_choice = exits == (kLeft | kRight) || (is_above_goal && ends_->is_goal_face(f)) || returns_to_start;
     if (has_choice || (faces % kFacesPerPause == 0 && exits != 0)) {
       const double length = channel.sight.length_to(ends_->goal());
       if (has_choice || (!open_.empty() && length > open_.least_bound())) {
-        const double bound = has_choice ? length + kTieBreakWeight * distance(channel.left, ends_->goal()) : length;
+        double bound = has_choice ? length + kTieBreakWeight * distance(channel.left, ends_->goal()) : length;
+        if (returns_to_start) bound = std::numeric_limits<double>::infinity();
         open_.push(bound, static_cast<std::uint32_t>(nodes_.size()));
         nodes_.push_back({{exit, entry, before, channel.sight}, exits});
         return;

@@ -143,6 +143,22 @@ void expect_same_paths(const World& a, const World& b, const Point& start, const
   }
 }
 
+// A channel may lead around an obstacle back to the face of the start. The search must not prefer this channel to the
+// one that leaves the face at once: a path through it is a third longer here.
+TEST(DiscTraChannels, DoNotLeadBackToTheStart) {
+  World world = World::create({{0, 0}, {64, 64}}, {.keep_bridges = true}).value();
+  world.insert(Shape::polygon({{6.25, 16.875}, {13.25, 12}, {6.375, 61.75}})).value();
+  world.insert_segment({6, 4.875}, {59, 62}).value();
+  world.insert_segment({1.125, 50.375}, {37.25, 41.375}).value();
+  world.insert(Shape::polygon({{32.375, 43.875}, {35.25, 43.875}, {35.25, 50}, {32.375, 50}})).value();
+  PathQuery query{.start = {29.9375, 54.6875}, .goal = {10.6875, 3.5}, .radius = 0.5};
+  const Path shortest = world.find_path(query).value();
+  query.algorithm = PathAlgorithm::tra;
+  const Path path = world.find_path(query).value();
+  EXPECT_EQ(path.status, PathStatus::found);
+  EXPECT_LT(path.length, 1.001 * shortest.length);
+}
+
 // The half-edge with which a location names the start's face depends on the history. It must not decide in which
 // direction the search leaves the face first. Once, one of the two worlds returned a path of 72.56, the other of 70.50.
 TEST(DiscTraHistory, MakesNoDifferenceAfterARewind) {
