@@ -24,7 +24,7 @@
 namespace waywright::bench {
 namespace {
 
-constexpr std::size_t kChanges = 10;  ///< moves between two snapshots
+constexpr std::size_t kChanges = 10;  ///< changes between two snapshots
 
 /// Makes the changes and returns the time for each of them, in microseconds.
 double time_of_moves(World& world, const std::vector<Change>& moves) {

@@ -32,7 +32,9 @@ enum class ErrorCode : std::uint8_t {
   /// also refuse the null id with this code.
   bad_id,
   bad_domain,  ///< a domain without min.x < max.x and min.y < max.y, or a box with min beyond max
-  bad_shape,   ///< a number of rings or points that the kind of the item does not allow, for example 0
+  /// A number of rings or points that the kind of the item does not allow, for example 0. Or a kind or a fill rule that
+  /// is none of the values of its type.
+  bad_shape,
   /// A change that makes the mesh too large. There are two limits: 2^27 for the number of vertices plus the number
   /// of points of the new shapes, and 350 million vertices including the crossings that the change makes.
   too_large,

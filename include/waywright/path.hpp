@@ -70,10 +70,10 @@ struct PathQuery {
   /// path of PathAlgorithm::tra.
   ///
   /// The library decides exactly whether the disc fits at an end, and whether it passes a gap. It computes everything
-  /// else in doubles. Let m be the largest magnitude of a coordinate of the domain. Then a path may come nearer to a
-  /// wall than the radius by m / 2^50, or by the rounding error of a crossing. If the radius is below m / 2^48, the
-  /// search may find no path although there is one. So choose a domain that is not much larger than the area of the
-  /// items.
+  /// else in doubles. Let m be the largest magnitude of a coordinate of the domain, and r the radius. Then a path may
+  /// come nearer to a wall than r by the largest of three numbers: m / 2^50, r / 2^34, and the rounding error of a
+  /// crossing. If r is below m / 2^48, the search may find no path although there is one. So choose a domain that is
+  /// not much larger than the area of the items.
   double radius = 0.0;
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   PathBudget budget{};
@@ -315,9 +315,9 @@ struct ManyGoalsQuery {
   std::span<const Point> goals;
   double radius = 0.0;        ///< the radius of the agent, 0 or more: like PathQuery::radius
   bool wants_points = false;  ///< whether the answers have points or pieces, besides status and length
-  /// Like PathQuery::end_tolerance, for the start and for each goal. With the radius 0 there is one difference, because
-  /// all paths begin at the same point: the search moves only a blocked start, and does not prefer positions that are
-  /// connected with a goal.
+  /// Like PathQuery::end_tolerance, for the start and for each goal. With the radius 0 there is one difference for the
+  /// start, because all paths begin at the same point: the search moves the start only if polygons cover all triangles
+  /// around it, and does not prefer positions that are connected with a goal.
   std::optional<double> end_tolerance{};
 };
 

@@ -31,8 +31,8 @@ enum class SvgTheme : std::uint8_t {
 /// const std::string svg = to_svg(world, {}, options).value();
 /// @endcode
 struct SvgOptions {
-  /// The width of the picture in pixels, 240 to 100,000: a smaller or larger value counts as the nearer limit, and NaN
-  /// as 1200. The height follows from the content.
+  /// The width of the picture in pixels, 240 to 100,000: a smaller or larger number counts as the nearer limit,
+  /// and infinity and NaN count as 1200. The height follows from the content.
   double width = 1200.0;
   bool mesh = true;  ///< draw the free edges
   bool axes = true;  ///< draw marks with coordinates on the axes, a scale bar, and a sign that shows the direction of y

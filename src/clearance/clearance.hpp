@@ -45,13 +45,14 @@ class Clearance {
   [[nodiscard]] const Triangulation* second_triangulation() const { return walls_.get(); }
   [[nodiscard]] const Bridges& bridges() const { return *bridges_; }
 
-  /// What the last update() has changed in the second triangulation. Requires: update() did not make it.
+  /// What the last update() has changed in the second triangulation.
   struct ChangesOfWalls {
     const mesh::TouchedFaces& touched;
     std::span<const std::uint32_t> removed;   ///< polygons, by slot
     std::span<const std::uint32_t> inserted;  ///< polygons, by slot
   };
-  /// Requires: the operation that called update() has not ended.
+  /// Requires: the operation that called update() has not ended, and its update() has not made the second
+  /// triangulation.
   [[nodiscard]] ChangesOfWalls changes_of_walls() const {
     return {touched_walls_, removed_polygons_, inserted_polygons_};
   }
@@ -111,14 +112,14 @@ class Clearance {
   std::vector<ItemId> changed_;
   ChangedWalls changed_walls_;
   std::optional<Triangulation::UndoGuard> walls_guard_;     ///< set if the operation changes the second triangulation
-  std::optional<mesh::TouchedFaces::Guard> touched_guard_;  ///< set if `touched_walls_` is not empty
+  mesh::TouchedFaces touched_walls_;                        ///< the touched faces of the second triangulation
+  std::optional<mesh::TouchedFaces::Guard> touched_guard_;  ///< set if update() has collected `touched_walls_`
   std::vector<std::uint32_t> removed_polygons_;             ///< see ChangesOfWalls
   std::vector<std::uint32_t> inserted_polygons_;            ///< see ChangesOfWalls
   std::unique_ptr<Bridges> old_bridges_;  ///< the bridges of the world, if the operation made the second triangulation
   bool are_bridges_changed_ = false;
 
   // Scratch.
-  mesh::TouchedFaces touched_walls_;  ///< the touched faces of the second triangulation
   constraint::Outline outline_;
   Shape shape_;
 };

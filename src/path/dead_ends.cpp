@@ -6,6 +6,7 @@ void DeadEnds::begin(const mesh::TriangleMesh& mesh, const nav::TwoCore* core, s
   mesh_ = &mesh;
   core_ = core;
   goal_count_ = goals.size();
+  has_core_ = false;
   bits_above_goals_ = 0;
   if (core == nullptr) return;
   stamp_.next(1, goals_below_);
@@ -15,6 +16,7 @@ void DeadEnds::begin(const mesh::TriangleMesh& mesh, const nav::TwoCore* core, s
     if (below.query != stamp_.value()) below = {stamp_.value(), 0};
     ++below.count;
     bits_above_goals_ |= bit_of(f);
+    has_core_ = has_core_ || core->is_core(f);
   });
 }
 

@@ -20,7 +20,9 @@ class DeadEnds {
   /// chains from the goal faces to the core.
   void begin(const mesh::TriangleMesh& mesh, const nav::TwoCore* core, std::span<const mesh::Face> goals);
   /// Returns true only if the edge `exit` of the face `f` is a wall, or no goal lies beyond it. Without a core, the
-  /// function recognises only walls. With a core, the result is false for each passage between two faces of the core.
+  /// function recognises only walls. With a core, the result is false for each passage between two faces of the core,
+  /// and for each passage that leads towards the core. (If a foot bridge crosses such a passage, a disc may have to
+  /// leave a dead end, go around an obstacle and return to the dead end across the same passage.)
   [[nodiscard]] bool is_no_exit(mesh::Face f, mesh::HalfEdge exit) const {
     if (core_ == nullptr) return !nav::PointAgent::can_cross(*mesh_, exit);
     return !core_->is_core_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || leads_to_no_goal(exit));
@@ -58,7 +60,7 @@ class DeadEnds {
   /// Returns whether no goal lies beyond the edge. Requires: begin() was called with a core, the edge is no wall, and
   /// it does not lead from one face of the core to another.
   [[nodiscard]] bool leads_to_no_goal(mesh::HalfEdge exit) const {
-    if (core_->leads_up(exit)) return goals_below(mesh::face(exit)) == goal_count_;
+    if (core_->leads_up(exit)) return !has_core_ && goals_below(mesh::face(exit)) == goal_count_;
     return goals_below(mesh::face(mesh_->twin(exit))) == 0;
   }
   [[nodiscard]] unsigned find_edges_towards_goal(mesh::Face f) const;
@@ -80,6 +82,7 @@ class DeadEnds {
   const mesh::TriangleMesh* mesh_ = nullptr;
   const nav::TwoCore* core_ = nullptr;
   std::size_t goal_count_ = 0;
+  bool has_core_ = false;                        ///< whether the component of the goals has a core
   std::uint64_t bits_above_goals_ = 0;           ///< the union of bit_of() for all faces with goals in their subtrees
   memory::ZeroedArray<GoalsBelow> goals_below_;  ///< by face
   memory::Stamp stamp_;

@@ -1,7 +1,6 @@
 #include "path/disc_channel.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace waywright::path {
 
@@ -39,8 +38,8 @@ void DiscChannel::restart() {
   stamp_.next(kMarks, marks_);
   ends_->for_each_above_goal([&](mesh::Face f) { add_mark(f, kAboveGoal); });
   const locate::Located& start = ends_->at_start();
-  add_mark(mesh::face(start.h), kStart);
-  if (start.kind == locate::LocatedKind::edge) add_mark(mesh::face(map_->mesh().twin(start.h)), kStart);
+  add_mark(mesh::face(start.h), kEntered);
+  if (start.kind == locate::LocatedKind::edge) add_mark(mesh::face(map_->mesh().twin(start.h)), kEntered);
   leave_start(ends_->at_start());
 }
 
@@ -144,9 +143,9 @@ void DiscChannel::leave(const Node& node, std::uint32_t index) {
 }
 
 /// Follows the channel as long as there is no choice. Pauses (opens a node) where another channel has a smaller bound.
-/// So the search does not follow a long corridor that leads away from the goal. Also pauses where the channel returns
-/// to a face that contains the start, until no other channel is left. A shortest path returns there only if a foot
-/// bridge divides the face. In all other cases, the channel is longer than the one that leaves the face there at once.
+/// So the search does not follow a long corridor that leads away from the goal. Ends the channel at a face that
+/// another channel has entered, and at the faces that contain the start: leave_start() has followed all channels that
+/// leave them.
 void DiscChannel::follow(Channel channel, std::uint32_t before) {
   constexpr unsigned kFacesPerPause = 16;  // To compute a bound costs about as much as to enter a face.
   const mesh::TriangleMesh& mesh = map_->mesh();
@@ -171,13 +170,11 @@ void DiscChannel::follow(Channel channel, std::uint32_t before) {
     if ((edges >> kNext[i] & 1U) != 0 && is_open(right_exit, squared_length(apex - channel.right), right_exit)) {
       exits |= kRight;
     }
-    const bool returns_to_start = exits != 0 && (marks & kStart) != 0;
-    const bool has_choice = exits == (kLeft | kRight) || (is_above_goal && ends_->is_goal_face(f)) || returns_to_start;
+    const bool has_choice = exits == (kLeft | kRight) || (is_above_goal && ends_->is_goal_face(f));
     if (has_choice || (faces % kFacesPerPause == 0 && exits != 0)) {
       const double length = channel.sight.length_to(ends_->goal());
       if (has_choice || (!open_.empty() && length > open_.least_bound())) {
-        double bound = has_choice ? length + kTieBreakWeight * distance(channel.left, ends_->goal()) : length;
-        if (returns_to_start) bound = std::numeric_limits<double>::infinity();
+        const double bound = has_choice ? length + kTieBreakWeight * distance(channel.left, ends_->goal()) : length;
         open_.push(bound, static_cast<std::uint32_t>(nodes_.size()));
         nodes_.push_back({{exit, entry, before, channel.sight}, exits});
         return;

@@ -39,12 +39,12 @@ class DiscChannel {
 
  private:
   // Marks of a face in this search.
-  static constexpr std::uint32_t kLeft = 1;       ///< a channel has left the face to the left, and had no choice
-  static constexpr std::uint32_t kRight = 2;      ///< a channel has left the face to the right, and had no choice
-  static constexpr std::uint32_t kEntered = 4;    ///< a channel has entered the face and has continued from there
+  static constexpr std::uint32_t kLeft = 1;   ///< a channel has left the face to the left, and had no choice
+  static constexpr std::uint32_t kRight = 2;  ///< a channel has left the face to the right, and had no choice
+  /// A channel has entered the face and has continued from there, or the face contains the start.
+  static constexpr std::uint32_t kEntered = 4;
   static constexpr std::uint32_t kAboveGoal = 8;  ///< DeadEnds::for_each_above_goal() visits the face
-  static constexpr std::uint32_t kStart = 16;     ///< the face contains the start
-  static constexpr std::uint32_t kMarks = 32;
+  static constexpr std::uint32_t kMarks = 16;
 
   /// A channel that the search is following.
   struct Channel {

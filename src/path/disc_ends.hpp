@@ -20,8 +20,8 @@ class DiscEnds {
   /// The ends, relative to the origin of the map.
   [[nodiscard]] const Point& start() const { return start_; }
   [[nodiscard]] const Point& goal() const { return goal_; }
-  /// Where the start lies on the mesh. The half-edge is the first one of constraint::CoverFinder::open_faces(): it does
-  /// not depend on the history of the mesh.
+  /// Where the start lies on the mesh. The half-edge is the first one of constraint::faces_at(): it does not depend on
+  /// the history of the mesh.
   [[nodiscard]] const locate::Located& at_start() const { return at_start_; }
   /// A half-edge of a face that contains the goal, chosen like the half-edge of at_start(). If the goal lies on an
   /// edge, the half-edge is this edge.

@@ -36,10 +36,9 @@ namespace waywright::path {
 /// The guide enters no dead end without the start, but a vertex of P may lie there: the disc may touch it while its
 /// centre is outside of the dead end. GuideDistances::is_unknown() recognises these vertices and the edges in dead
 /// ends: they belong to tree faces that the guide has not entered. DiscOptimal uses no distances and no marks for them.
-/// For a vertex elsewhere, the proof above holds. The
-/// segment from x to the vertex, or P itself, may enter a dead end. Then it enters and leaves the dead end across the
-/// same edge. The straight piece of this edge between these two positions is not longer than the detour through the
-/// dead end.
+/// For a vertex elsewhere, the proof above holds. The segment from x to the vertex, or P itself, may enter a dead end
+/// without an end of the path. Then it enters and leaves the dead end across the same edge. The straight piece of this
+/// edge between these two positions is not longer than the detour through the dead end.
 ///
 /// If a path that is shorter than the limit leads through a position, Optimal keeps a shortest path to it, not
 /// only to the goal. The reason is that Optimal leaves out a window or a root only in two cases: another path to each

@@ -45,7 +45,7 @@ class GuideDistances {
     }
     known = {length + std::sqrt(squared), stamp_.value()};
   }
-  /// Records that the guide starts in the face `f`.
+  /// Records that the guide has entered the face `f` without crossing an edge: it starts there.
   void enter(mesh::Face f) { crossed_[number(f)] = std::max(crossed_[number(f)], stamp_.value()); }
   /// Records that the guide has crossed the edge `entry` and has entered the face `f`.
   void cross(mesh::Face f, mesh::HalfEdge entry) {
@@ -58,11 +58,10 @@ class GuideDistances {
 
   /// Returns whether the guide has crossed the edge, or the goal of the disc, where the guide starts, lies on it.
   [[nodiscard]] bool is_crossed(mesh::HalfEdge h) const { return is_entered(h) || is_entered(map_->mesh().twin(h)); }
-  /// Returns whether one of the two faces of the edge is a tree face (DeadEnds) that the guide has not entered. Then
-  /// the distances and marks say nothing about the edge: a disc can touch a vertex of this face, although its centre
-  /// and the guide stay outside. `h` may also be the corner of a face from which the search has reached a pivot. If the
-  /// function then returns true, the distance of the origin of `h` is no lower bound for a path that turns at this
-  /// pivot.
+  /// Returns whether one of the two faces of the edge is a tree face (DeadEnds) that the guide has not entered. If so,
+  /// the distances and marks say nothing about the edge, because a disc can touch a vertex of this face from outside of
+  /// the face. `h` may also be the corner of a face from which the search has reached a pivot. If the function then
+  /// returns true, the distance of the origin of `h` is no lower bound for a path that turns at this pivot.
   [[nodiscard]] bool is_unknown(mesh::HalfEdge h) const {
     return is_unknown(mesh::face(h)) || is_unknown(mesh::face(map_->mesh().twin(h)));
   }
@@ -105,7 +104,8 @@ class GuideDistances {
   double limit_ = 0.0;
   DeadEnds dead_ends_;  ///< the guide searches from the disc's goal to its start, so the start is the goal here
   memory::ZeroedArray<Length> lengths_;  ///< by vertex
-  /// By face: the number of the query plus a bit for each half-edge across which the guide has entered the face.
+  /// By face: 0, or the number of the last query that entered the face, plus a bit for each half-edge across which the
+  /// guide has entered it.
   memory::ZeroedArray<std::uint32_t> crossed_;
   memory::Stamp stamp_;
 };

@@ -17,12 +17,14 @@ constexpr std::size_t kLargestVertexCount = std::size_t{1} << 27;
 std::optional<Error> find_arity_error(const Shape& shape) {
   const auto refuse = [](detail::ErrorWords message) { return Error{ErrorCode::bad_shape, std::move(message), {}, 0}; };
   if (shape.kind > ItemKind::polygon) return refuse("the kind of a shape is none of the values of ItemKind");
-  if (shape.fill > FillRule::nonzero) return refuse("the fill rule of a shape is none of the values of FillRule");
   if (shape.rings.empty()) return refuse("a shape needs a ring of points");
   for (const PointSpan& ring : shape.rings) {
     if (ring.empty()) return refuse("a ring needs at least one point");
   }
-  if (shape.kind == ItemKind::polygon) return std::nullopt;
+  if (shape.kind == ItemKind::polygon) {
+    if (shape.fill > FillRule::nonzero) return refuse("the fill rule of a polygon is none of the values of FillRule");
+    return std::nullopt;
+  }
   if (shape.rings.size() != 1) return refuse("only a polygon has more than one ring");
   const std::size_t count = shape.rings[0].size();
   if (shape.kind == ItemKind::point && count != 1) return refuse("a point needs exactly one point");

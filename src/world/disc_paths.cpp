@@ -253,7 +253,7 @@ std::optional<Point> World::Impl::find_disc_end(const PathQuery& query, const Po
 /// Requires: the disc fits at both ends.
 void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch& scratch) const {
   detail::DiscSearch& disc = scratch.disc_search;
-  const constraint::ExactTriangulation& walls = clearance->triangulation_of_walls(triangulation);
+  const constraint::ExactTriangulation& walls = mesh_of_discs();
   const nav::Abstraction* const known = kept_abstraction_for_discs();
   disc.start = query.start;
   disc.goal = query.goal;

@@ -33,6 +33,7 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
   void begin() {
     windows.clear();
     if (is_for_disc()) {
+      mesh_of_discs = &world->mesh_of_discs();
       world->begin_disc_path(query, scratch, path);
     } else {
       scratch.finder.begin(world->triangulation, world->kept_abstraction(), query, path, &looked_at);
@@ -43,9 +44,11 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
     if (!is_for_disc()) return scratch.finder.step(expansions, path);
     return world->step_disc_path(path::saturating_add(path.expansions, expansions), scratch, path);
   }
-  /// Continues the search in the current version of the world. Restarts it if a change concerns it.
+  /// Continues the search in the current version of the world. Restarts it if a change concerns it, or if
+  /// World::shrink_to_fit() has freed the mesh in which it runs.
   void adapt_to_changes() {
-    if (version == touch_log->version()) return;
+    const bool has_lost_mesh = is_for_disc() && mesh_of_discs != &world->mesh_of_discs();
+    if (version == touch_log->version() && !has_lost_mesh) return;
     const bool is_concerned = concerns_search();
     version = touch_log->version();
     if (!is_concerned) return;
@@ -78,6 +81,7 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
   std::shared_ptr<TouchLog> touch_log;  ///< null unless a search is running
   const World::Impl* world = nullptr;   ///< stays at this address until `touch_log` says that the world is gone
   std::uint64_t version = 0;            ///< of the world when the search last saw it
+  const constraint::ExactTriangulation* mesh_of_discs = nullptr;  ///< the mesh in which a search for a disc runs
   PathQuery query;
   detail::QueryScratch scratch;
   path::LookedAt looked_at;

@@ -100,14 +100,21 @@ void World::shrink_to_fit() {
   memory::release(impl_->outline.corners, impl_->outline.ring_ends);
 }
 
+std::optional<std::string> World::Impl::find_fault_in_abstraction_of_walls() const {
+  const auto* const walls = clearance ? clearance->second_triangulation() : nullptr;
+  const bool is_needed = abstraction && walls != nullptr;
+  if (is_needed != abstraction_of_walls.has_value()) {
+    return "the abstraction of the second mesh is missing, or belongs to no mesh";
+  }
+  return is_needed ? abstraction_of_walls->find_fault(*walls) : std::nullopt;
+}
+
 Validation World::validate() const {
   const base::FloatEnvironment environment;
   auto fault = impl_->triangulation.find_fault();
   if (!fault && impl_->abstraction) fault = impl_->abstraction->find_fault(impl_->triangulation);
   if (!fault && impl_->clearance) fault = impl_->clearance->find_fault(impl_->triangulation);
-  if (!fault && impl_->abstraction_of_walls) {
-    fault = impl_->abstraction_of_walls->find_fault(*impl_->clearance->second_triangulation());
-  }
+  if (!fault) fault = impl_->find_fault_in_abstraction_of_walls();
   if (!fault) return {};
   return {false, *std::move(fault)};
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -162,11 +163,17 @@ struct WAYWRIGHT_INTERNAL World::Impl {
                                                                  detail::QueryScratch& scratch) const;
   /// Returns the abstraction, or null.
   [[nodiscard]] const nav::Abstraction* kept_abstraction() const { return abstraction ? &*abstraction : nullptr; }
-  /// Returns the abstraction of the mesh in which the searches for discs run (Clearance::triangulation_of_walls()), or
-  /// null. Requires: the world keeps bridges.
+  /// Returns the mesh in which the searches for discs run. Requires: the world keeps bridges.
+  [[nodiscard]] const constraint::ExactTriangulation& mesh_of_discs() const {
+    return clearance->triangulation_of_walls(triangulation);
+  }
+  /// Returns the abstraction of mesh_of_discs(), or null. Requires: the world keeps bridges.
   [[nodiscard]] const nav::Abstraction* kept_abstraction_for_discs() const {
     return abstraction_of_walls ? &*abstraction_of_walls : kept_abstraction();
   }
+
+  /// The part of World::validate() for `abstraction_of_walls`.
+  [[nodiscard]] std::optional<std::string> find_fault_in_abstraction_of_walls() const;
 
   constraint::ExactTriangulation triangulation;
   constraint::VertexLimits limits;  ///< of each operation

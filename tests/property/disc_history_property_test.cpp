@@ -78,7 +78,7 @@ TEST_P(DiscHistory, MakesNoDifferenceAfterRandomChanges) {
   constexpr int kQueriesBetween = 6;
   std::size_t found = 0;
   // Most of the time goes into nearest_fit() with coordinates from 2^-100 to 2^100, so this flavour has fewer cases.
-  const std::uint64_t seeds = case_count() / (GetParam() == Flavour::mixed ? 20 : 2);
+  const std::uint64_t seeds = 1 + case_count() / (GetParam() == Flavour::mixed ? 20 : 2);
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const ChangeScript script = random_changes(GetParam(), seed, kChangeCount, kItemCount);
     World world = World::create(script.domain, {.keep_bridges = true}).value();
@@ -98,7 +98,7 @@ TEST_P(DiscHistory, MakesNoDifferenceAfterRandomChanges) {
       }
     }
   }
-  EXPECT_GT(found, 20 * seeds);
+  EXPECT_GT(found, 10 * seeds);
 }
 
 INSTANTIATE_TEST_SUITE_P(Flavours, DiscHistory, ::testing::ValuesIn(kFlavours),

@@ -87,6 +87,18 @@ Trap gap_of_foot() {
           {{{5, 10}, {8, 6}}}};
 }
 
+/// A dead end with a door, which the gap between (-2.4, 0.3) and the right wall of the dead end divides. A disc that is
+/// too large for this gap leaves the dead end on one side of the gap, goes around the segment above the door, and
+/// returns to the dead end on the other side.
+Trap divided_door() {
+  return {"dead end with a divided door",
+          {{-30, -30}, {30, 30}},
+          {{{-5, 0}, {-20, -20}, {0, 0}}, {{-2.4, 0.3}, {-2.4, 6}}},
+          {{{-4, -1.5}, {-1.42, -0.003}}, {{-1.42, -0.003}, {-4, -1.5}}, {{-4, -1.5}, {20, 20}}, {{9, 2}, {-4, -1.5}}},
+          {0.5, 0.9, 0.97, 1.0},
+          {}};
+}
+
 Trap comb(Random& random) {
   Trap trap{"comb", {{0, 0}, {40, 20}}, {}, {{{1.5, 10}, {38.5, 10}}, {{1.5, 3}, {22, 10}}}, {0.75, 1, 1.25, 1.5}, {}};
   for (int i = 1; i < 9; ++i) {
@@ -425,6 +437,7 @@ std::vector<NamedScene> trap_scenes(std::uint64_t seed) {
   traps.push_back(crossing_walls());
   traps.push_back(turning_alley(0));
   traps.push_back(turning_alley(0.5));
+  traps.push_back(divided_door());
   std::vector<NamedScene> scenes;
   for (const Trap& trap : traps) {
     for (const Coordinates coordinates :

@@ -163,6 +163,23 @@ TEST(DiscSlices, AnswerForTheWorldOfTheLastSlice) {
   EXPECT_GT(restarts, case_count());
 }
 
+// Without points, shrink_to_fit() frees the second mesh, in which the search runs.
+TEST(DiscSlices, StartAgainWhenTheSecondMeshIsFreed) {
+  World world = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
+  world.insert_segment({50, 0}, {50, 60}).value();
+  world.insert_segment({70, 30}, {70, 100}).value();
+  world.remove(world.insert_point({10, 10}).value()).value();
+  PathSearch search;
+  const PathQuery query{.start = {20, 50}, .goal = {90, 50}, .radius = 5};
+  search.begin(world, query).value();
+  ASSERT_FALSE(search.step(1).value());
+  world.shrink_to_fit();
+  while (!search.step(1).value()) {
+  }
+  EXPECT_EQ(search.restarts(), 1U);
+  expect_equal(search.path(), world.find_path(query).value());
+}
+
 TEST(DiscSlices, CanChangeBetweenPointsAndDiscs) {
   const NamedScene scene = scene_of_seed(3);
   const World world = bridged_world_of(scene);
