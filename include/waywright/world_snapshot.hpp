@@ -33,9 +33,9 @@ inline constexpr char kEmptySnapshot[] =
 ///
 /// A WorldSnapshot is a handle of a snapshot. Several handles may share one immutable world, which you reach with `->`
 /// and `*`. All const members of World work, without a context or with one. They give the same answers as the world
-/// gave, also version(), is_affected() and changes_since(). Only memory() and Path::time can differ. So a PathWatch can read one
-/// snapshot after the other: each of them counts as the world for which the watch was made. The immutable world has no
-/// history. To get a world that you can change, call its World::clone().
+/// gave, also version(), is_affected() and changes_since(). Only memory() and Path::time can differ. So a PathWatch can
+/// read one snapshot after the other: each of them counts as the world for which the watch was made. The immutable
+/// world has no history. To get a world that you can change, call its World::clone().
 ///
 /// If nothing has changed since the last call of World::publish() and a reader still has the snapshot of that call, the
 /// function returns the same snapshot. Each immutable world is a *replica*: a copy of the original world. When the
