@@ -74,8 +74,9 @@ class WAYWRIGHT_API PathWatch {
   /// be the answer of a query (found or not) in the world as it is now, or as it was at the last update(). An older
   /// answer is allowed, too, if the path is not blocked in the world as it was at the last update(). For example, a
   /// game that goes back with World::rewind() can call update() and then add the paths that its units had at that tick.
-  /// The next call of update() reports only what the operations after the last update() have changed. Cost: linear in
-  /// the points or pieces of the path.
+  /// The next call of update() reports only what the operations after the last update() have changed.
+  ///
+  /// Cost: linear in the points or pieces of the path.
   void add(std::uint64_t key, const Path& path);
   /// Stops watching the path under a key. Returns whether the watch had a path under this key.
   /// Cost: linear in the points or pieces of the path. Allocates nothing.

@@ -11,6 +11,7 @@
 #include "waywright/world.hpp"
 
 #include "support/case_count.hpp"
+#include "support/disc_paths.hpp"
 #include "support/disc_scenes.hpp"
 #include "support/live_items.hpp"
 #include "support/random.hpp"
@@ -47,15 +48,8 @@ std::size_t compare_discs(const World& world, const World& other, const DiscQuer
     const PathQuery query = disc_query_of(ends, radius, variant, size);
     const Path a = world.find_path(query).value();
     const Path b = other.find_path(query).value();
-    EXPECT_EQ(a.status, b.status);
-    EXPECT_EQ(a.length, b.length);
-    EXPECT_EQ(a.lower_bound, b.lower_bound);
-    EXPECT_EQ(a.pieces, b.pieces);
+    disc::expect_equal(a, b);
     EXPECT_EQ(a.expansions, b.expansions);
-    EXPECT_EQ(a.moved_start, b.moved_start);
-    EXPECT_EQ(a.moved_goal, b.moved_goal);
-    EXPECT_EQ(a.blockers, b.blockers);
-    EXPECT_EQ(a.widest, b.widest);
     if (a.status == PathStatus::found) ++found;
   }
   EXPECT_EQ(world.fit_disc(ends.first, radius).value(), other.fit_disc(ends.first, radius).value());

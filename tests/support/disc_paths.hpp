@@ -24,6 +24,19 @@ namespace waywright::test::disc {
   return world;
 }
 
+/// Expects two equal answers to a query for a disc. Does not compare how much the searches have expanded.
+inline void expect_equal(const Path& path, const Path& expected) {
+  EXPECT_EQ(path.status, expected.status);
+  EXPECT_EQ(path.length, expected.length);
+  EXPECT_EQ(path.lower_bound, expected.lower_bound);
+  EXPECT_EQ(path.pieces, expected.pieces);
+  EXPECT_EQ(path.blockers, expected.blockers);
+  EXPECT_EQ(path.widest, expected.widest);
+  EXPECT_EQ(path.radius, expected.radius);
+  EXPECT_EQ(path.moved_start, expected.moved_start);
+  EXPECT_EQ(path.moved_goal, expected.moved_goal);
+}
+
 /// Returns the pieces of a path, for the oracle.
 [[nodiscard]] inline std::vector<Piece> pieces_of(const Path& path) {
   std::vector<Piece> result;

@@ -13,6 +13,7 @@
 #include "waywright/world.hpp"
 
 #include "support/case_count.hpp"
+#include "support/disc_paths.hpp"
 #include "support/disc_scenes.hpp"
 #include "support/random.hpp"
 
@@ -21,6 +22,7 @@
 namespace waywright::test {
 namespace {
 
+using disc::expect_equal;
 using disc::NamedScene;
 
 World bridged_world_of(const NamedScene& scene) {
@@ -40,18 +42,6 @@ std::vector<PathQuery> queries_of(const NamedScene& scene) {
     for (const double radius : scene.radii) queries.push_back({.start = start, .goal = goal, .radius = radius});
   }
   return queries;
-}
-
-void expect_equal(const Path& path, const Path& expected) {
-  EXPECT_EQ(path.status, expected.status);
-  EXPECT_EQ(path.length, expected.length);
-  EXPECT_EQ(path.lower_bound, expected.lower_bound);
-  EXPECT_EQ(path.pieces, expected.pieces);
-  EXPECT_EQ(path.blockers, expected.blockers);
-  EXPECT_EQ(path.widest, expected.widest);
-  EXPECT_EQ(path.radius, expected.radius);
-  EXPECT_EQ(path.moved_start, expected.moved_start);
-  EXPECT_EQ(path.moved_goal, expected.moved_goal);
 }
 
 TEST(DiscSlices, AnswerAsInOneGo) {
