@@ -26,7 +26,10 @@ void ww_path_watch_destroy(ww_path_watch* watch) { destroy_object(watch); }
 
 ww_status ww_path_watch_add(ww_path_watch* watch, uint64_t key, const ww_path* path) {
   return guarded([&] {
-    object(watch).watch.add(key, object(path));
+    const Path& given = object(path);
+    require(given.status != PathStatus::found || !given.points.empty() || !given.pieces.empty(),
+            "a watch needs a path with points: set ww_many_goals_query.wants_points");
+    object(watch).watch.add(key, given);
     return WW_OK;
   });
 }

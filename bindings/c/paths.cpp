@@ -25,7 +25,7 @@ constexpr std::size_t kMostThreads = 256;
 
 const Path& found_path(const ww_path* path) {
   const Path& given = object(path);
-  require(!given.points.empty() || !given.pieces.empty(), "a position on a path needs a path that is found");
+  require(!given.points.empty() || !given.pieces.empty(), "a position on a path needs a path with points or pieces");
   return given;
 }
 

@@ -761,7 +761,7 @@ typedef struct ww_path_position {
 
 /* Gives the position at a distance from the start, along the path. A distance below 0 or a NaN gives the start, a
    distance above the length gives the goal. Errors of ww_path_at, ww_path_advance and ww_path_nearest:
-   WW_INVALID_ARGUMENT, if the path is not found. */
+   WW_INVALID_ARGUMENT, if the path has no points and no pieces. */
 WW_API ww_status ww_path_at(const ww_path* path, double distance, ww_precision precision, ww_path_position* position);
 /* Moves a position of this path farther along the path by `step`: one step of a unit that walks. *position must come
    from one of these functions for this path. */
@@ -883,7 +883,8 @@ WW_API ww_status ww_snapshot_world(const ww_snapshot* snapshot, const ww_world**
 WW_API ww_status ww_path_watch_create(const ww_world* world, ww_path_watch** watch);
 WW_API void ww_path_watch_destroy(ww_path_watch* watch);
 /* Watches a copy of a path under a key, instead of the path that the watch has under this key. The path must have been
-   found in the world as it is now, or as it was at the last update. It may also be a path that was not found. */
+   found in the world as it is now, or as it was at the last update. It may also be a path that was not found. Errors:
+   WW_INVALID_ARGUMENT, if the path is found, but has no points and no pieces (ww_many_goals_query.wants_points). */
 WW_API ww_status ww_path_watch_add(ww_path_watch* watch, uint64_t key, const ww_path* path);
 /* Stops watching the path under a key. `was_there` receives whether there was one, and may be null. */
 WW_API ww_status ww_path_watch_remove(ww_path_watch* watch, uint64_t key, ww_bool* was_there);

@@ -44,7 +44,7 @@ enum class ErrorCode : std::uint8_t {
   no_bridges,         ///< a query that needs bridges, of a world that does not keep them
   no_history,         ///< a rewind of a world that keeps no history
   old_tick,           ///< a tick that the history of a world no longer contains
-  unknown_tick,       ///< a tick that World::mark() has not returned
+  unknown_tick,       ///< a tick that no mark has: World::mark() has not returned it, or a rewind has dropped it
   unreadable,         ///< a file that cannot be opened or read
   malformed,          ///< text or bytes that do not follow their format
   unwritable,         ///< a file or a stream that cannot be written

@@ -209,14 +209,15 @@ struct WAYWRIGHT_API Path {
   /// is 0 if there is no path.
   double lower_bound = 0.0;
   double radius = 0.0;  ///< the radius of the agent, as in the query
-  /// The start, the turns of the path and the goal. The list is empty if there is no path, or if the query has a radius
-  /// above 0. If the path turns at a crossing of two sides, the point of this turn has the rounded coordinates of the
-  /// crossing. For this reason, if a point of a polyline has the rounded coordinates of a crossing, World::is_clear()
-  /// also lets the agent turn at the exact crossing.
+  /// The start, the turns of the path and the goal. The list is empty if there is no path, if the query has a radius
+  /// above 0, or if ManyGoalsQuery::wants_points is false. If the path turns at a crossing of two sides, the point of
+  /// this turn has the rounded coordinates of the crossing. For this reason, if a point of a polyline has the rounded
+  /// coordinates of a crossing, World::is_clear() also lets the agent turn at the exact crossing.
   std::vector<Point> points;
   /// The lines and arcs from the start to the goal, if the query has a radius above 0. The list is empty if the radius
-  /// is 0, or if there is no path. If start and goal are equal, there is one line of length 0. No wall is nearer to a
-  /// position on the pieces than the radius, up to rounding errors (PathQuery::radius).
+  /// is 0, if there is no path, or if ManyGoalsQuery::wants_points is false. If start and goal are equal, there is one
+  /// line of length 0. No wall is nearer to a position on the pieces than the radius, up to rounding errors
+  /// (PathQuery::radius).
   std::vector<PathPiece> pieces;
   /// The edges that the path crosses, in order. The list is empty if there is no path, if PathQuery::wants_channel is
   /// false, or if the query has a radius above 0: the lines and arcs may leave the channel of the search.
@@ -258,19 +259,19 @@ struct WAYWRIGHT_API Path {
   /// or of the radius, with Precision::float32 one unit in the last place of a `float`. So a disc that touches a wall
   /// may not fit exactly at the position, see World::fit_disc. The heading has no jumps, because the lines touch the
   /// arcs.
-  /// Requires: the path is found.
+  /// Requires: the path has points or pieces.
   /// Cost: linear in the turns (for a disc, the pieces) before the position.
   [[nodiscard]] PathPosition at(double distance, Precision precision = Precision::float64) const;
   /// Returns the position that lies `step` farther along the path than `from`. Use it to move a unit in each tick. The
   /// function rounds the result as at() does. NaN counts as 0.
-  /// Requires: the path is found. A function of this path returned `from`, and the path has not changed since then.
+  /// Requires: a function of this path returned `from`, and the path has not changed since then.
   /// Cost: linear in the turns that the step passes; for a negative step, linear in the turns before the position.
   [[nodiscard]] PathPosition advance(const PathPosition& from, double step,
                                      Precision precision = Precision::float64) const;
   /// Returns the position on the path that is nearest to `point`. If several positions are equally near, the function
   /// returns the first of them. Use it for a unit that has left its path. `point` should lie in the domain. The
   /// function rounds the result as at() does.
-  /// Requires: the path is found.
+  /// Requires: the path has points or pieces.
   /// Cost: linear in the turns.
   [[nodiscard]] PathPosition nearest(const Point& point, Precision precision = Precision::float64) const;
 
@@ -279,7 +280,8 @@ struct WAYWRIGHT_API Path {
   /// allows. The function leaves out each point that equals the point before it. All points lie on the path, up to
   /// rounding errors. No position on the straight segments between them is farther than `tolerance` from the path. So
   /// no wall is nearer to these segments than the radius minus the tolerance. A tolerance above half the radius counts
-  /// as half the radius, so that the segments never touch a wall. If the path is not found, the result is empty.
+  /// as half the radius, so that the segments never touch a wall. If the path has no points and no pieces, the result
+  /// is empty.
   ///
   /// @code{.cpp}
   /// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();

@@ -37,7 +37,8 @@ class World;
 /// number of these triangles. If you move a search to another object, you may only assign to the first object or
 /// destroy it.
 ///
-/// If PathQuery::radius is above 0, every change of the world makes the next slice start the search again.
+/// If PathQuery::radius is above 0, every change of the world makes the next slice start the search again. So does a
+/// call of World::shrink_to_fit that frees the second mesh (WorldOptions::keep_bridges).
 ///
 /// Threads: a search belongs to one thread at a time; step() reads the world.
 class WAYWRIGHT_API PathSearch {
@@ -73,8 +74,7 @@ class WAYWRIGHT_API PathSearch {
   /// Cost: O(1).
   [[nodiscard]] const Path& path() const;
 
-  /// Returns how often the search has started again because of changes of the world. Path::expansions counts from the
-  /// last start.
+  /// Returns how often the search has started again. Path::expansions counts from the last start.
   /// Cost: O(1).
   [[nodiscard]] std::size_t restarts() const;
 

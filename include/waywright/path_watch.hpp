@@ -76,6 +76,7 @@ class WAYWRIGHT_API PathWatch {
   /// game that goes back with World::rewind() can call update() and then add the paths that its units had at that tick.
   /// The next call of update() reports only what the operations after the last update() have changed.
   ///
+  /// Requires: if the path is found, it has points or pieces (ManyGoalsQuery::wants_points).
   /// Cost: linear in the points or pieces of the path.
   void add(std::uint64_t key, const Path& path);
   /// Stops watching the path under a key. Returns whether the watch had a path under this key.

@@ -41,9 +41,9 @@ namespace waywright {
 /// @{
 
 /// A world of obstacles that can change between path queries: a dynamic constrained Delaunay triangulation of a closed
-/// box. Every decision about the mesh is exact. The live items alone determine the mesh, in whatever order you inserted
-/// them. No arrangement of items is an error: items may cross, overlap or repeat each other, cross themselves, be
-/// collinear or have length zero. The world handles all of this exactly.
+/// box. Every decision about the mesh is exact. The domain and the live items alone determine the mesh, in whatever
+/// order you inserted the items. No arrangement of items is an error: items may cross, overlap or repeat each other,
+/// cross themselves, be collinear or have length zero. The world handles all of this exactly.
 ///
 /// @code{.cpp}
 /// World arena = World::create({{0, 0}, {10, 10}}).value();
@@ -205,12 +205,12 @@ class WAYWRIGHT_API World {
   /// returns a Result<T>. If it returns nothing or a Result<void>, attempt() returns a Result<void>.
   ///
   /// Queries in the question see the changed world. Afterwards the world is as before, bit for bit: its items, mesh and
-  /// hashes, its next id, its version and its history. Only its spare memory may be larger. If the question throws an
-  /// exception, the world takes the changes back, too. The world asks no question if it refuses a change.
-  /// version(), changes_since(), is_affected() and mark() ignore the changes. A PathSearch of this world continues
-  /// afterwards as if there had been no attempt.
-  /// Requires: the question calls no member of this world that is not const, no attempt() and no would_disconnect(),
-  /// and neither begins nor continues a PathSearch of this world.
+  /// hashes, its next id, its version and its history. Only memory() may be larger. If the question throws an
+  /// exception, the world takes the changes back, too. The world asks no question if it refuses a change. version(),
+  /// changes_since() and is_affected() do not count the changes, not even in the question. A PathSearch of this world
+  /// continues afterwards as if there had been no attempt.
+  /// Requires: the question calls no member of this world that is not const, does not call clone(), and neither begins
+  /// nor continues a PathSearch of this world.
   /// Errors: the errors of apply(), and the errors that the question returns. Error::index is the index of the refused
   /// change in `changes`.
   /// Cost: as apply(), and the question. To take the changes back allocates nothing and costs less than apply().
@@ -301,8 +301,9 @@ class WAYWRIGHT_API World {
   [[nodiscard]] std::vector<ItemId> item_ids() const;
   /// @copydoc item_ids() const
   void item_ids(std::vector<ItemId>& ids) const;
-  /// Returns a copy of the shape of an item as you inserted it, with one exception: of equal consecutive points (in a
-  /// polygon, also of the last and the first point of a ring), the copy has only one. A segment always has two points.
+  /// Returns a copy of the shape of an item as you inserted it, with two exceptions. Of equal consecutive points (also
+  /// of the last and the first point of a ring), it has only one. (A segment always has two points.) And the fill rule
+  /// of an item that is not a polygon is FillRule::even_odd.
   /// Errors: unknown_id, bad_id.
   /// Cost: linear in the points of the item.
   [[nodiscard]] Result<Shape> shape(ItemId id) const;
@@ -510,9 +511,8 @@ class WAYWRIGHT_API World {
   /// is_affected() of Path::points. For a disc, the function returns whether the bounding box of an inserted or removed
   /// item comes so near to Path::pieces that the disc may touch the box: see ChangedBox. If the result is false and the
   /// path was valid for its radius at that version, it is still valid.
-  ///
-  /// A path that is not affected need not be the shortest one any more, if an operation has removed items. A path that
-  /// was not found is never affected: search again for it.
+  /// A path that is not affected may be longer than necessary if an operation has removed items. A path that was not
+  /// found is never affected: search again for it. Each box affects a found path without points and pieces.
   /// Cost: a few comparisons for each pair of a box and a piece. Allocates nothing.
   [[nodiscard]] bool is_affected(const Path& path, std::uint64_t since) const;
   /// Finds the paths for which is_affected() is true. Writes their indices to `affected`, ascending.
@@ -566,7 +566,7 @@ class WAYWRIGHT_API World {
   /// @{
 
   /// Returns the memory of the world, by purpose. MemoryUse says what the result does not include.
-  /// Cost: O(1).
+  /// Cost: does not depend on the number of items.
   [[nodiscard]] MemoryUse memory() const;
   /// Frees most of the spare memory (MemoryUse::spare), and the world's own context for queries. The next operations
   /// allocate their scratch again. The call changes no answer and no hash.
@@ -587,8 +587,8 @@ class WAYWRIGHT_API World {
 
   explicit World(std::unique_ptr<Impl> impl);
   [[nodiscard]] Result<void> begin_attempt(std::span<const Change> changes);  // leaves the operation open
-  void end_attempt() noexcept;                                                // takes the changes back
-  /// insert_points() with ids that ascend: ids[i] is the id of points[i]. Requires: the lists are equally long.
+  void end_attempt() noexcept;
+  /// insert_points() with ids that ascend, one for each point.
   [[nodiscard]] Result<void> insert_points_as(PointSpan points, std::span<const ItemId> ids,
                                               const BulkOptions& options);
 

@@ -16,12 +16,13 @@ namespace detail {
 class Replica;
 
 inline constexpr char kEmptySnapshot[] =
-    "WorldSnapshot: this snapshot is empty: it was default-constructed, moved from or released";
+    "WorldSnapshot: this handle is empty: it was default-constructed, moved from or released";
 
 }  // namespace detail
 
-/// A world that never changes: the state that a World had when its World::publish() was called. Readers on other
-/// threads query it while one thread changes the world. The readers and this thread never wait for each other.
+/// A handle of a *snapshot*. A snapshot is an immutable world: the state that a World had when its World::publish() was
+/// called. Readers on other threads query it while one thread changes the world. The readers and this thread never wait
+/// for each other.
 ///
 /// @code{.cpp}
 /// WorldSnapshot snapshot = world.publish();  // give each reader a handle of its own: copy `snapshot`
@@ -31,11 +32,11 @@ inline constexpr char kEmptySnapshot[] =
 /// snapshot.release();
 /// @endcode
 ///
-/// A WorldSnapshot is a handle of a snapshot. Several handles may share one immutable world, which you reach with `->`
-/// and `*`. All const members of World work, without a context or with one. They give the same answers as the world
-/// gave, also version(), is_affected() and changes_since(). Only memory() and Path::time can differ. So a PathWatch can
-/// read one snapshot after the other: each of them counts as the world for which the watch was made. The immutable
-/// world has no history. To get a world that you can change, call its World::clone().
+/// Several handles may share one immutable world, which you reach with `->` and `*`. All const members of World work,
+/// without a context or with one. They give the same answers as the world gave, also version(), is_affected() and
+/// changes_since(). Only memory() and Path::time can differ. So a PathWatch can read one snapshot after the other: each
+/// of them counts as the world for which the watch was made. The immutable world has no history. To get a world that
+/// you can change, call its World::clone().
 ///
 /// If nothing has changed since the last call of World::publish() and a reader still has the snapshot of that call, the
 /// function returns the same snapshot. Each immutable world is a *replica*: a copy of the original world. When the
@@ -43,15 +44,16 @@ inline constexpr char kEmptySnapshot[] =
 /// the world in this replica. The world keeps up to two such replicas for later snapshots. Suppose that the readers
 /// release each snapshot when the next one exists. Then the third call uses the replica of the first snapshot again and
 /// repeats the changes since the first call, the fourth call uses the replica of the second snapshot, and so on. If
-/// readers hold all replicas, the call makes a new one. The first call makes a replica, because there is none yet.
-/// Later, a call makes one if readers hold more snapshots at once than ever before. After the first call, each
-/// operation also records the ids of the items that it changes, 16 bytes for each. Each snapshot that readers hold
-/// takes as much memory as a clone(). World::shrink_to_fit() frees the replicas that no reader holds.
+/// there is no replica that nobody reads, the call makes a new one. The first call makes a replica, because there is
+/// none yet. Later, a call makes one if readers hold more snapshots than before. After the first call, each operation
+/// also records the ids of the items that it changes, 16 bytes for each. Each snapshot that readers hold takes as much
+/// memory as a clone(). It can also keep one replica that the world has given up, until its last handle is released.
+/// World::shrink_to_fit() frees the replicas that the world keeps for later snapshots.
 ///
 /// When the last handle of an immutable world is released or destroyed, World::publish() may use its memory again. If
 /// the world does not keep this memory, or has been destroyed, the thread with the last handle frees it. A snapshot can
 /// exist longer than its world. Do not use a reference to the immutable world, or a PathSearch in it, after you have
-/// released the snapshot.
+/// released the handle.
 ///
 /// Threads: several threads may query one snapshot at once, each with its own QueryContext. Each handle belongs to one
 /// thread at a time, like a std::shared_ptr: give each thread a handle of its own. Threads may copy, release and
@@ -59,7 +61,7 @@ inline constexpr char kEmptySnapshot[] =
 /// waits for another thread.
 class WAYWRIGHT_API WorldSnapshot {
  public:
-  /// Makes an empty snapshot, which has no world.
+  /// Makes an empty handle, which has no world.
   WorldSnapshot() noexcept = default;
   /// Makes another handle of the same immutable world.
   /// Cost: O(1). Allocates nothing.

@@ -188,7 +188,7 @@ void Clearance::count_memory(MemoryUse& use) const {
   memory::count_spare(use, changed_, removed_polygons_, inserted_polygons_, outline_.corners, outline_.ring_ends);
   changed_walls_.count_memory(use);
   touched_walls_.count_memory(use);
-  use.spare += shape_.rings.points().size_bytes();
+  use.spare += shape_.rings.capacity() * sizeof(Point);
   if (!walls_) return;
   MemoryUse of_walls;
   walls_->count_memory(of_walls);

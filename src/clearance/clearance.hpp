@@ -19,10 +19,10 @@ namespace waywright::clearance {
 /// The bridges of a world's walls.
 ///
 /// Bridges need a mesh in which each vertex is the end of a wall. A ring with one corner is *loose*: it has no side. A
-/// point and a segment of length zero have a loose ring. While no item of the world has a loose ring, the bridges
-/// belong to the triangulation of the world. If an item with a loose ring appears, the class makes a second
-/// triangulation, and the bridges belong to that one. It contains the walls alone: each item that has sides, under its
-/// id, without its loose rings. The second triangulation stays until shrink_to_fit() finds no loose ring.
+/// point and a segment of length zero have a loose ring. Until an item with a loose ring appears, the bridges
+/// belong to the triangulation of the world. Then the class makes a second triangulation, and the bridges belong to
+/// that one. It contains the walls alone: each item that has sides, under its id, without its loose rings. The second
+/// triangulation stays until shrink_to_fit() finds no loose ring.
 class Clearance {
  public:
   using Triangulation = constraint::ExactTriangulation;

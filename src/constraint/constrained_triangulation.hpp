@@ -176,12 +176,12 @@ class ConstrainedTriangulation {
   template <class Batch, class VertexOf, class AfterRecord>
   [[nodiscard]] std::vector<RankedItem> add_records(const Batch& batch, std::span<const std::uint32_t> ranks,
                                                     VertexOf&& vertex_of, AfterRecord&& after_record);
-  /// Makes a vertex at each point. If this passes a limit, stops and returns the index of the point.
+  /// Makes a vertex at each point. If this exceeds a limit, stops and returns the index of the point.
   [[nodiscard]] std::optional<std::uint32_t> insert_sorted(std::span<const Point> points,
                                                            const threads::ThreadTeam& team,
                                                            std::vector<mesh::Vertex>& vertices);
   /// Inserts the sides of these items of a batch into a triangulation that has no other items. The report counts
-  /// `corners` corners as done. If this passes a limit, stops and sets `refused_index_`.
+  /// `corners` corners as done. If this exceeds a limit, stops and sets `refused_index_`.
   template <class Batch>
   void insert_sides_by_region(const Batch& batch, std::span<const RankedItem> items, std::size_t corners,
                               const threads::ThreadTeam& team);

@@ -37,10 +37,11 @@ class ChangedSinceHash {
   void mark() { marks_.push_back(after_marks_.size()); }
   /// Requires: has_mark(tick).
   void rewind(std::uint64_t tick) {
-    const auto first = after_marks_.begin() + static_cast<std::ptrdiff_t>(marks_[tick - 1]);
+    const auto count = static_cast<std::size_t>(tick);
+    const auto first = after_marks_.begin() + static_cast<std::ptrdiff_t>(marks_[count - 1]);
     ids_.insert(ids_.end(), first, after_marks_.end());
     after_marks_.erase(first, after_marks_.end());
-    marks_.resize(tick);
+    marks_.resize(count);
   }
   /// The hash of a tick is equal: forgets the items.
   void clear() { ids_.clear(); }

@@ -62,7 +62,7 @@ class Components {
     covers_.for_each(records_[component_of(f)].cover, visit);
   }
 
-  /// What has changed since the last update. `changed` lists the faces, by slot, that were made, rebuilt or freed.
+  /// What has changed since the last update. `changed` lists the faces that were made, rebuilt or freed.
   /// `new_faces` lists the faces of `changed` that now lie in the domain. Each list contains a face once. `removed` and
   /// `inserted` list the polygons, by slot and in ascending order. A polygon that the operation inserted and removed
   /// again is in neither list. A replaced polygon is in both lists, with different slots.

@@ -63,13 +63,21 @@ class TwoCore {
     return i == kNoPassage ? mesh::kNoHalfEdge : mesh::half_edge(f, i);
   }
 
+  /// Returns core_passages(f) for a face of the core, and the passage towards the core for a tree face: one bit for
+  /// each half-edge of the face.
+  [[nodiscard]] unsigned passages_towards_core(mesh::Face f) const {
+    if (is_core(f)) return core_passages(f);
+    const mesh::HalfEdge up = towards_core(f);
+    return up == mesh::kNoHalfEdge ? 0 : 1U << mesh::index_in(f, up);
+  }
+
   /// Returns whether the face of `h` is a tree face, and `h` leads from there towards the core.
   [[nodiscard]] bool leads_up(mesh::HalfEdge h) const {
     const State state = states_[number(h) / 3];
     return (state & kCore) == 0 && (state >> kPassageShift & 3U) == number(h) % 3;
   }
 
-  /// Updates the core to the mesh. `changed` lists the faces, by slot, that have changed since the last update.
+  /// Updates the core to the mesh. `changed` lists the faces that have changed since the last update.
   /// `new_faces` lists those faces of `changed` that are in the graph now. Each list contains a face once. If memory
   /// runs out, roll_back() restores the old core.
   void update(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> changed,

@@ -24,7 +24,7 @@ unsigned DeadEnds::find_edges_towards_goal(mesh::Face f) const {
   unsigned passages = 0;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const mesh::HalfEdge exit = mesh::half_edge(f, i);
-    if (!is_no_exit(f, exit)) passages |= 1U << i;
+    if (may_lead_to_goal(f, exit)) passages |= 1U << i;
   }
   return passages;
 }

@@ -13,32 +13,31 @@
 namespace waywright::path {
 
 /// Says for one search which edges lead to no goal. The *tree faces* are the faces outside the two-core (TwoCore). The
-/// subtree of a face consists of this face and of the tree faces whose passages towards the core lead through it.
+/// subtree of a face consists of this face and of the tree faces whose passages towards the core lead through it. So
+/// the subtree of a face of the core contains this face and the dead ends at its edges.
 class DeadEnds {
  public:
   /// Starts a search with goal faces. `core` may be null: then the class knows no tree faces. Cost: the length of the
   /// chains from the goal faces to the core.
   void begin(const mesh::TriangleMesh& mesh, const nav::TwoCore* core, std::span<const mesh::Face> goals);
-  /// Returns true only if the edge `exit` of the face `f` is a wall, or no goal lies beyond it. Without a core, the
-  /// function recognises only walls. With a core, the result is false for each passage between two faces of the core,
-  /// and for each passage that leads towards the core. (If a foot bridge crosses such a passage, a disc may have to
-  /// leave a dead end, go around an obstacle and return to the dead end across the same passage.)
-  [[nodiscard]] bool is_no_exit(mesh::Face f, mesh::HalfEdge exit) const {
-    if (core_ == nullptr) return !nav::PointAgent::can_cross(*mesh_, exit);
-    return !core_->is_core_passage(f, exit) && (!nav::PointAgent::can_cross(*mesh_, exit) || leads_to_no_goal(exit));
+  /// Returns whether a path from the face `f` across its edge `exit` may lead to a goal. The result is false only if
+  /// the edge is a wall, or no goal lies beyond it. Without a core, the function recognises only walls. With a core,
+  /// the result is true for each passage between two faces of the core, and for each passage that leads towards the
+  /// core. (If a foot bridge crosses such a passage, a disc may have to leave a dead end, go around an obstacle and
+  /// return to the dead end across the same passage.)
+  [[nodiscard]] bool may_lead_to_goal(mesh::Face f, mesh::HalfEdge exit) const {
+    if (core_ == nullptr) return nav::PointAgent::can_cross(*mesh_, exit);
+    return core_->is_core_passage(f, exit) || (nav::PointAgent::can_cross(*mesh_, exit) && !leads_to_no_goal(exit));
   }
-  /// Returns the edges of a face across which a path to a goal may lead: those for which is_no_exit() is false. The
-  /// result has one bit for each half-edge of the face.
+  /// Returns the edges of a face for which may_lead_to_goal() is true. The result has one bit for each half-edge of the
+  /// face.
   [[nodiscard]] unsigned edges_towards_goal(mesh::Face f) const {
     if (core_ != nullptr && goals_below_[number(f)].query == stamp_.value()) return find_edges_towards_goal(f);
     return edges_towards_core(f);
   }
   /// Returns edges_towards_goal(f). Requires: the face is none of those that for_each_above_goal() visits.
   [[nodiscard]] unsigned edges_towards_core(mesh::Face f) const {
-    if (core_ == nullptr) return find_edges_towards_goal(f);
-    if (core_->is_core(f)) return core_->core_passages(f);
-    const mesh::HalfEdge up = core_->towards_core(f);
-    return up == mesh::kNoHalfEdge ? 0 : 1U << mesh::index_in(f, up);
+    return core_ == nullptr ? find_edges_towards_goal(f) : core_->passages_towards_core(f);
   }
   /// Calls visit(face) for each goal face. If begin() was called with a core, also calls it for each face on the way
   /// from a goal face towards the core: up to the first face of the core or, in a component without a core, up to the
@@ -65,8 +64,7 @@ class DeadEnds {
   }
   [[nodiscard]] unsigned find_edges_towards_goal(mesh::Face f) const;
 
-  /// How many goal faces lie in the subtree of a face, including the face itself. The subtree of a face of the core
-  /// consists of the dead ends that hang on it.
+  /// How many goal faces lie in the subtree of a face.
   struct GoalsBelow {
     std::uint32_t query;
     std::uint32_t count;

@@ -110,7 +110,7 @@ class DiscLine {
   Point back_;       ///< the opposite direction
   double length_ = 0.0;
   double least_squared_ = 0.0;  ///< the square of DiscMap::least_distance(), the least distance of a wall from the line
-  double reach_ = 0.0;          ///< the test looks at the foot bridges of vertices not farther from the line
+  double reach_ = 0.0;          ///< the test looks at the foot bridges of the vertices that are at most this far away
   bool is_blocked_ = false;     ///< whether the test has failed
   Obstacle obstacles_[2];       ///< obstacles_[0] is right(), obstacles_[1] is left()
   std::vector<Entered> entered_;

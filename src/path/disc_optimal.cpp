@@ -21,7 +21,7 @@ constexpr int kFacesBetweenOffers = 8;
 /// path turns left at the root and another vertex lies right of this line, or the reverse. If this vertex is farther
 /// than this many radii from the line, the next line of the path does not lead to the vertex. The exact factor is 2.
 /// The rest allows for rounding.
-constexpr double kMostRadiiBehind = 2.125;
+constexpr double kMostRadiiOnOtherSide = 2.125;
 
 Point opposite(const Point& v) { return {-v.x, -v.y}; }
 
@@ -77,15 +77,15 @@ bool DiscOptimal::is_window_excluded(const Root& root, const Point& left, const 
   const bool is_left = from.turn == kTurnLeft;
   const Point& nearer_ray = is_left ? left : right;
   if (from.turn * cross(root.direction, nearer_ray) >= 0.0) return false;
-  return is_far_behind(root, nearer_ray, edge) && is_far_behind(root, is_left ? right : left, edge);
+  return is_far_on_other_side(root, nearer_ray, edge) && is_far_on_other_side(root, is_left ? right : left, edge);
 }
 
 /// Returns whether the point where a ray of a window meets the edge is too far from the line through the vertex of the
 /// root: see is_window_excluded().
-bool DiscOptimal::is_far_behind(const Root& root, const Point& ray, const Edge& edge) const {
+bool DiscOptimal::is_far_on_other_side(const Root& root, const Point& ray, const Edge& edge) const {
   const Pivot& from = root.end.pivot;
   const std::optional<Point> end = meeting({0.0, 0.0}, ray, edge.right - from.centre, edge.left - edge.right);
-  return end && from.turn * cross(root.direction, *end) < -kMostRadiiBehind * map_->radius;
+  return end && from.turn * cross(root.direction, *end) < -kMostRadiiOnOtherSide * map_->radius;
 }
 
 std::uint32_t DiscOptimal::add_root(const Root& root) {
@@ -201,9 +201,10 @@ bool DiscOptimal::divide(Window& window, Edge& edge, const Point& apex) {
 /// Adds a turn node for an end of the window's edge: the left end if `turn` is kTurnLeft, the right end if it is
 /// kTurnRight. Requires: a ray of the window passes through this end. Does nothing if no path can continue after the
 /// turn: neither through the two other edges of the face, nor to a goal in one of the two faces at the window's edge.
-/// (Because of rounding, the goal may lie before this edge.) `sees_apex` is false if the apex lies on this ray. Then a
-/// path that turns in the direction `turn` at the root, too, does not cross the far edge (the edge of the face that
-/// does not contain this end of the window's edge): it continues along the ray to the apex.
+/// (Because of rounding, the goal may lie before this edge.) `sees_apex` is false if the apex lies on this ray. The far
+/// edge is the edge of the face that does not contain this end of the window's edge. If the apex lies on the ray and
+/// the path also turns in the direction `turn` at its root, the path goes along the ray to the apex. It does not cross
+/// the far edge.
 void DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const bool is_left = turn == kTurnLeft;
@@ -336,7 +337,7 @@ void DiscOptimal::expand(std::uint32_t index) {
   ++expansions_;
   const TurnNode node = turn_nodes_[index];
   const Root& from = roots_[node.root];
-  if (is_beyond(from.limit, from.end.pivot, from.direction, node.line.direction)) return push_limit(index);
+  if (is_beyond(from.turn_limit, from.end.pivot, from.direction, node.line.direction)) return push_turn_limit(index);
   if (node.vertex == mesh::kNoVertex) return try_goal(index);
   Reached& reached = reached_at(node.vertex, node.turn);
   if (const std::uint32_t failed = failed_line(node, reached.failed); failed != kNone) {
@@ -392,9 +393,9 @@ void DiscOptimal::push_obstacles(std::uint32_t index, const DiscLine::Obstacle& 
 /// Adds a turn node for the vertex that limits the turn around the root of a line. After the turn around that vertex,
 /// the path continues to the end of the line. This is necessary even if a window has found the end of the line: the
 /// windows of the vertex that limits the turn need not find it.
-void DiscOptimal::push_limit(std::uint32_t index) {
+void DiscOptimal::push_turn_limit(std::uint32_t index) {
   const Root& root = roots_[turn_nodes_[index].root];
-  const HalfEdge corner = root.limit.corner;
+  const HalfEdge corner = root.turn_limit.corner;
   if (corner == mesh::kNoHalfEdge) return;
   const int turn = root.end.pivot.turn;
   const Vertex v = map_->mesh().origin(corner);
@@ -467,7 +468,7 @@ std::uint32_t DiscOptimal::failed_line(const TurnNode& node, std::uint32_t first
 bool DiscOptimal::are_on_one_arc(HalfEdge from, HalfEdge to, int turn) const {
   const mesh::TriangleMesh& mesh = map_->mesh();
   for (HalfEdge at = from;;) {
-    if (map_->narrow_bridge_foot(at)) return false;
+    if (map_->has_narrow_bridge_foot(at)) return false;
     if (at == to) return true;
     const HalfEdge spoke = turn == kTurnLeft ? mesh.next_around(at) : at;
     if (map_->is_closed(spoke)) return false;
@@ -498,7 +499,7 @@ void DiscOptimal::leave_root(std::uint32_t root_index, HalfEdge corner) {
     if (!is_window_excluded(root, window.left.direction, window.right.direction, exit, edge)) offer(window, edge);
     first = last;
   };
-  roots_[root_index].limit = turn_around(*map_, pivot, root.direction, corner, visit);
+  roots_[root_index].turn_limit = turn_around(*map_, pivot, root.direction, corner, visit);
 }
 
 void DiscOptimal::write_path(std::vector<DiscPiece>& pieces) {

@@ -18,10 +18,10 @@
 namespace waywright::path {
 
 /// Finds the shortest path of a disc by A*. The path is a sequence of straight lines and of arcs around wall vertices;
-/// each line touches the arcs at its ends. A *pivot* is a vertex together with the direction in which the path turns
-/// around it: left or right. A *root* is the start, or a pivot together with a path to it. A line leaves its root. A
-/// *turn node* is a line from a root to a pivot, or to the goal. A *window* is an edge of the mesh together with two
-/// rays from the vertex of a root.
+/// each line touches the arcs at its ends. A *pivot* is the circle around a wall vertex, with the radius of the
+/// disc, together with the direction in which the path turns around it: left or right. A *root* is the start, or a
+/// pivot together with a path to it. A line leaves its root. A *turn node* is a line from a root to a pivot, or to the
+/// goal. A *window* is an edge of the mesh together with two rays from the vertex of a root.
 ///
 /// With windows, the search finds the vertices that are visible from the vertex of a root. Windows move from face to
 /// face, as in Optimal. If a disc can move along a straight line from one pivot to another, then the two vertices see
@@ -64,7 +64,7 @@ class DiscOptimal {
     Point direction;               ///< the direction in which the path arrives at the pivot; at the start: not used
     double length = 0.0;           ///< the length of the path from the start to `position`
     std::uint32_t before = kNone;  ///< the root before this one on the path
-    TurnLimit limit{};             ///< how far the path can turn around the vertex
+    TurnLimit turn_limit{};        ///< how far the path can turn around the vertex
     std::uint32_t older = kNone;   ///< the root that the search has made before for the same pivot, or kNone
     Point position{};              ///< the position of the disc's centre when the path arrives at the pivot
     double distance = 0.0;         ///< the distance from `position` to the goal
@@ -145,14 +145,14 @@ class DiscOptimal {
   /// could have crossed the edge and has not; the edge is too short for the disc (is_too_short()).
   [[nodiscard]] bool is_excluded(const Pivot& from, mesh::HalfEdge exit, const Edge& edge) const {
     if (distances_ != nullptr && !distances_->is_crossed(exit) && !distances_->is_unknown(exit)) return true;
-    if (ends_->dead_ends().is_no_exit(mesh::face(exit), exit)) return true;
+    if (!ends_->dead_ends().may_lead_to_goal(mesh::face(exit), exit)) return true;
     const double squared = squared_length(edge.left - edge.right);
     return squared <= map_->surely_long && is_too_short(from, exit, edge, squared);
   }
   [[nodiscard]] bool is_too_short(const Pivot& from, mesh::HalfEdge exit, const Edge& edge, double squared) const;
   [[nodiscard]] bool is_window_excluded(const Root& root, const Point& left, const Point& right, mesh::HalfEdge exit,
                                         const Edge& edge) const;
-  [[nodiscard]] bool is_far_behind(const Root& root, const Point& ray, const Edge& edge) const;
+  [[nodiscard]] bool is_far_on_other_side(const Root& root, const Point& ray, const Edge& edge) const;
   std::uint32_t add_root(const Root& root);
   /// Makes the windows of the start, on the edges of the faces that contain it.
   void leave_start(const locate::Located& location);
@@ -176,7 +176,7 @@ class DiscOptimal {
   /// Tests the line of a turn node that ends at the goal. If the line passes the test, the search has found the path.
   void try_goal(std::uint32_t index);
   void push_obstacles(std::uint32_t index, const DiscLine::Obstacle& left, const DiscLine::Obstacle& right);
-  void push_limit(std::uint32_t index);
+  void push_turn_limit(std::uint32_t index);
   void push_next_line(std::uint32_t root, std::uint32_t earlier);
   [[nodiscard]] std::uint32_t dominating_root(const TurnNode& node, mesh::HalfEdge corner, std::uint32_t first) const;
   [[nodiscard]] bool is_shorter_with_other_turn(const TurnNode& node, mesh::HalfEdge corner);

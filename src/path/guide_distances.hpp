@@ -33,7 +33,7 @@ class GuideDistances {
   /// Returns whether the guide may cross the edge: it is not closed (DiscMap::is_closed()), and it does not lead into a
   /// dead end without the start.
   [[nodiscard]] bool can_cross(mesh::HalfEdge exit) const {
-    return !dead_ends_.is_no_exit(mesh::face(exit), exit) && !map_->is_closed(exit);
+    return dead_ends_.may_lead_to_goal(mesh::face(exit), exit) && !map_->is_closed(exit);
   }
   /// Records that a path of length `length` leads from the goal to a root, and that the root sees the vertex at a
   /// distance whose square is `squared`. The function computes no square root if it knows a shorter path to the vertex.

@@ -108,7 +108,7 @@ void TraStar::mark_faces_with_goal_outside() {
 /// Returns the passages that lead down towards the goal and, if the face has the mark kGoalOutside, also those that
 /// lead up. In a tree without a core, the result of passages_to_goal() does not depend on which face is the root.
 unsigned TraStar::passages_above_goal(Face f, std::uint32_t marks) const {
-  return (marks & kGoalOutside) == 0 ? passages_down(f) : passages_down(f) | passages_up(f);
+  return (marks & kGoalOutside) == 0 ? passages_down(f) : passages_down(f) | core_->passages_towards_core(f);
 }
 
 unsigned TraStar::passages_down(Face f) const {

@@ -62,14 +62,7 @@ class TraStar {
   void mark_faces_with_goal_outside();
   /// Returns the passages through which a path to the goal can leave the face, as one bit for each of its half-edges.
   [[nodiscard]] unsigned passages_to_goal(mesh::Face f, std::uint32_t marks) const {
-    return (marks & kAboveGoal) == 0 ? passages_up(f) : passages_above_goal(f, marks);
-  }
-  /// Returns the passage up if the face lies in a dead end. If it is a face of the core, returns the passages to other
-  /// faces of the core.
-  [[nodiscard]] unsigned passages_up(mesh::Face f) const {
-    if (core_->is_core(f)) return core_->core_passages(f);
-    const mesh::HalfEdge up = core_->towards_core(f);
-    return up == mesh::kNoHalfEdge ? 0 : 1U << mesh::index_in(f, up);
+    return (marks & kAboveGoal) == 0 ? core_->passages_towards_core(f) : passages_above_goal(f, marks);
   }
   [[nodiscard]] unsigned passages_above_goal(mesh::Face f, std::uint32_t marks) const;
   [[nodiscard]] unsigned passages_down(mesh::Face f) const;

@@ -140,8 +140,8 @@ Result<void> World::replace(ItemId id, const Shape& shape) {
   return {};
 }
 
-std::optional<Error> World::Impl::make(Operation& operation, std::span<const Change> changes,
-                                       std::span<const ItemId> ids) {
+std::optional<Error> World::Impl::make_changes(Operation& operation, std::span<const Change> changes,
+                                               std::span<const ItemId> ids) {
   for (std::size_t i = 0; i < changes.size();) {
     const std::size_t count = count_insertions(changes.subspan(i));
     std::optional<Error> error;
@@ -168,7 +168,7 @@ Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
     return ids;
   }
   Operation operation(*impl_);
-  if (auto error = Impl::make(operation, changes, *ids)) return *std::move(error);
+  if (auto error = Impl::make_changes(operation, changes, *ids)) return *std::move(error);
   operation.commit();
   return ids;
 }
@@ -181,7 +181,7 @@ Result<void> World::begin_attempt(std::span<const Change> changes) {
   if (!ids) return ids.error();
   detail::AttemptGuard guard(*this);
   Operation& operation = impl_->attempt.emplace(*impl_, Operation::Kind::attempt);
-  if (auto error = Impl::make(operation, changes, *ids)) return *std::move(error);
+  if (auto error = Impl::make_changes(operation, changes, *ids)) return *std::move(error);
   operation.update();
   guard.release();
   return {};

@@ -73,7 +73,10 @@ std::optional<Error> History::find_error(Tick tick) const {
     return Error{ErrorCode::no_history, "the world keeps no history: call keep_history() before mark()", {}, tick};
   }
   if (tick == 0 || tick > marks_.end()) {
-    return Error{ErrorCode::unknown_tick, "no mark has this tick: use a tick that mark() has returned", {}, tick};
+    return Error{ErrorCode::unknown_tick,
+                 "no mark has this tick: mark() has not returned it, or a rewind has dropped it",
+                 {},
+                 tick};
   }
   if (tick <= marks_.begin()) {
     return Error{

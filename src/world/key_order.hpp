@@ -10,7 +10,7 @@
 namespace waywright {
 
 /// Keeps the keys of all slots in ascending order. So it can list the keys of any set of slots in ascending order
-/// without sorting them.
+/// without sorting them all: it sorts only keys that are new.
 ///
 /// Each key has an *index* in an array of all keys. The first keys of the array ascend. New keys follow in any
 /// order, and the class sorts them into the array when they are many.

@@ -8,7 +8,8 @@
 
 namespace waywright {
 
-/// The error of an operation that has made too many vertices. `id` is the item at which the operation passed its limit.
+/// The error of an operation that has made too many vertices. `id` is the item at which the operation exceeded its
+/// limit.
 [[nodiscard]] inline Error limit_error(const constraint::VertexBudget& budget, ItemId id) {
   const bool is_own_limit = budget.is_operation_limit_exceeded();
   const constraint::VertexLimits& limits = budget.limits();

@@ -475,6 +475,8 @@ PathWatch::PathWatch(PathWatch&&) noexcept = default;
 PathWatch& PathWatch::operator=(PathWatch&&) noexcept = default;
 
 void PathWatch::add(std::uint64_t key, const Path& path) {
+  WAYWRIGHT_ASSERT(path.status != PathStatus::found || !path.points.empty() || !path.pieces.empty(),
+                   "PathWatch::add: the path is found, but has no points: set ManyGoalsQuery::wants_points");
   const base::FloatEnvironment environment;
   Impl::Addition addition(*impl_);
   Impl::Watched& added = impl_->watched[addition.slot()];

@@ -146,6 +146,9 @@ bool World::is_affected(std::span<const Point> points, std::uint64_t since) cons
 
 bool World::is_affected(const Path& path, std::uint64_t since) const {
   const base::FloatEnvironment environment;
+  if (path.status == PathStatus::found && path.points.empty() && path.pieces.empty()) {
+    return impl_->change_log.has_box(since, [](const Box&) { return true; });
+  }
   if (path.pieces.empty()) return is_affected(path.points, since);
   return impl_->change_log.has_box(since,
                                    [&](const Box& box) { return path::may_touch(path.pieces, path.radius, box); });

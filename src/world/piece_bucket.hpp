@@ -15,7 +15,7 @@ namespace waywright {
 /// Where a straight piece lies in its bounding box: on which diagonal. `none` if it may be anywhere in the box.
 enum class Diagonal : std::uint8_t { none, rising, falling };
 
-/// A piece of a path: a segment or an arc, or a part of a long segment.
+/// One box of a piece of a path. A piece is a segment or an arc. A long segment has several boxes.
 struct Piece {
   std::uint32_t slot;   ///< of the path
   std::uint32_t index;  ///< of the segment or arc in the path

@@ -35,7 +35,7 @@ struct DiscSearch {
   ///   is a string through its channel, the stage `channel` does not run.
   /// - `channel`: searches for a channel of the disc, and for a string through it. If there is no channel, there is no
   ///   path.
-  /// - `distances`: the guide continues, and finds all distances that are not longer than the string. Without a
+  /// - `distances`: the guide continues, and finds all distances that the search for the shortest path needs. Without a
   ///   string, this stage does not run.
   /// - `shortest`: searches for the shortest path. It leaves out everything that is longer than the string.
   ///

@@ -19,6 +19,7 @@ namespace waywright {
 
 namespace {
 
+constexpr char kNoLimitInRewind[] = "World::rewind: the world had these items before, so no limit can apply";
 constexpr char kNoHistory[] = "World::mark: the world keeps no history; call keep_history() first";
 
 using Triangulation = constraint::ExactTriangulation;
@@ -100,16 +101,16 @@ Result<void> World::rewind(std::uint64_t tick) {
 
 void World::Impl::rewind(History::Tick tick) {
   ChangesBack changes = changes_back_to(history, tick, triangulation);
-  // The world had these items before, so there cannot be too many vertices.
-  [[maybe_unused]] std::optional<Error> error;
+  std::optional<Error> error;
   if (is_most_removed(changes, triangulation)) {
     change_log.begin();
     for (const ItemId id : changes.removed) add_removal_to_change_log(triangulation.items().slot(id));
-    note_changes(Batch{changes.inserted, changes.inserted_ids});
+    add_insertions_to_change_log(Batch{changes.inserted, changes.inserted_ids});
     for (const ItemId id : changes.removed) note_for_snapshots(id);
     for (const ItemId id : changes.inserted_ids) note_for_snapshots(id);
     add_items_that_stay(changes, triangulation);
     error = replace_all(Batch{changes.inserted, changes.inserted_ids}, history.largest_id(tick), {});
+    WAYWRIGHT_ASSERT(!error, kNoLimitInRewind);
   } else {
     Operation operation(*this, Operation::Kind::rewind);
     for (const ItemId id : changes.removed) operation.remove(id);
@@ -118,6 +119,7 @@ void World::Impl::rewind(History::Tick tick) {
     } else if (!changes.inserted.empty()) {
       error = operation.insert_all(Batch{changes.inserted, changes.inserted_ids});
     }
+    WAYWRIGHT_ASSERT(!error, kNoLimitInRewind);
     operation.set_largest_id_seen(history.largest_id(tick));
     operation.commit();
   }

@@ -127,7 +127,7 @@ class SnapshotPool {
 
   std::vector<detail::Replica*> replicas_;  ///< ascending by version
   ChangedItems changed_;
-  std::size_t limit_ = kFewChanges;  ///< if more items have changed, the pool makes a new replica instead
+  std::size_t limit_ = kFewChanges;  ///< if more items have changed, find_free() returns null
   std::vector<ItemId> ids_;          ///< the answer of changed()
   ReplicaScratch scratch_;
 };

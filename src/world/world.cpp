@@ -32,7 +32,7 @@ Result<World> World::create(const Box& domain, const WorldOptions& options) {
 
 World World::clone() const {
   WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
-  return World(std::make_unique<Impl>(*impl_));
+  return World(std::make_unique<Impl>(*impl_, impl_->history));
 }
 
 const Box& World::domain() const { return impl_->triangulation.domain(); }

@@ -26,7 +26,8 @@
 namespace waywright {
 
 inline constexpr char kInAttempt[] =
-    "World: the question of World::attempt() must not change the world and must not continue a PathSearch";
+    "World: the question of World::attempt() must not change or clone the world, and must not begin or continue a "
+    "PathSearch";
 
 /// An operation on a world. If the object is destroyed before commit(), for example because memory runs out, its
 /// destructor takes all changes back.
@@ -35,8 +36,8 @@ class WAYWRIGHT_INTERNAL World::Operation {
   enum class Kind : std::uint8_t {
     change,   ///< the history records the changes
     rewind,   ///< the history does not record the changes, and no limit applies: the world had these items before
-    attempt,  ///< calls update() instead of commit(), because its changes are always taken back
-    follow,   ///< a replica repeats a change of its world: no log records it, the version stays, and no limit applies
+    attempt,  ///< the caller calls update() and not commit(), so the destructor takes the changes back
+    follow,   ///< a replica repeats a change of its world: history and ChangeLog do not record it, no limit applies
   };
 
   explicit Operation(Impl& impl, Kind kind = Kind::change);
@@ -44,7 +45,7 @@ class WAYWRIGHT_INTERNAL World::Operation {
   Operation(const Operation&) = delete;
   Operation& operator=(const Operation&) = delete;
 
-  // If an insertion passes a limit, the functions return the error. The operation must then be undone. The second
+  // If an insertion exceeds a limit, the functions return the error. The operation must then be undone. The second
   // function sets the index of the error to the index of an item in the batch.
   [[nodiscard]] std::optional<Error> insert(const Shape& shape, ItemId id);
   template <class Batch>
@@ -76,9 +77,9 @@ struct WAYWRIGHT_INTERNAL World::Impl {
     if (options.keep_abstraction) abstraction.emplace(triangulation);
     if (options.keep_bridges) clearance = std::make_unique<clearance::Clearance>(triangulation);
   }
-  /// Makes a copy. The copy has its own TouchLog, its own context for queries and no snapshots. Requires: no operation
-  /// is under way.
-  Impl(const Impl& other)
+  /// Makes a copy. The copy has its own TouchLog, its own context for queries and no snapshots. Its history is
+  /// `kept_history`. Requires: no operation is under way.
+  Impl(const Impl& other, const History& kept_history)
       : triangulation(other.triangulation),
         limits(other.limits),
         abstraction(other.abstraction),
@@ -86,11 +87,12 @@ struct WAYWRIGHT_INTERNAL World::Impl {
         clearance(other.clearance ? std::make_unique<clearance::Clearance>(*other.clearance) : nullptr),
         touch_log(std::make_shared<TouchLog>(other.version())),
         change_log(other.change_log),
-        history(other.history) {}
+        history(kept_history) {}
+  Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
   ~Impl() { touch_log->note_world_gone(); }
 
-  /// Inserts a batch as one operation. If the world has no items, builds a new mesh. If the batch passes a limit,
+  /// Inserts a batch as one operation. If the world has no items, builds a new mesh. If the batch exceeds a limit,
   /// changes nothing and returns the error, with the index of an item of the batch.
   template <class Batch>
   [[nodiscard]] std::optional<Error> insert_all(const Batch& batch, const threads::ThreadTeam& team = {});
@@ -98,16 +100,16 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   [[nodiscard]] std::optional<Error> insert_points(const constraint::PointBatch& batch, const BulkOptions& options);
   /// Replaces all items by the items of a batch: builds a new triangulation and then replaces the old one. So the
   /// function is all or nothing without an undo log. `largest_id` is the largest id that the world has seen afterwards.
-  /// If the batch passes a limit, changes nothing and returns the error. Requires: `change_log` and `history` contain
+  /// If the batch exceeds a limit, changes nothing and returns the error. Requires: `change_log` and `history` contain
   /// the changes.
   template <class Batch>
   [[nodiscard]] std::optional<Error> replace_all(const Batch& batch, ItemId largest_id,
                                                  const constraint::VertexLimits& made_limits,
                                                  const threads::ThreadTeam& team = {});
-  /// Makes changes that a ChangeCheck has accepted. `ids` are the ids of their items. If an insertion passes a limit,
+  /// Makes changes that a ChangeCheck has accepted. `ids` are the ids of their items. If an insertion exceeds a limit,
   /// returns the error; the operation must then be undone.
-  [[nodiscard]] static std::optional<Error> make(Operation& operation, std::span<const Change> changes,
-                                                 std::span<const ItemId> ids);
+  [[nodiscard]] static std::optional<Error> make_changes(Operation& operation, std::span<const Change> changes,
+                                                         std::span<const ItemId> ids);
   /// Brings back the items of a tick as one operation. Requires: the history has the tick.
   void rewind(History::Tick tick);
   /// Makes this world equal to `other`, except for the history. `changed` are the items that may differ. If memory runs
@@ -124,9 +126,9 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   // The next three functions record items in `change_log`: all items of a batch, one item that an operation inserts, or
   // one item that it removes.
   template <class Batch>
-  void note_changes(const Batch& batch);
+  void add_insertions_to_change_log(const Batch& batch);
   template <class Rings>
-  void note_item(ItemKind kind, const Rings& rings);
+  void add_insertion_to_change_log(ItemKind kind, const Rings& rings);
   void add_removal_to_change_log(std::uint32_t slot);
   /// Records in `history` the shape of an item that an operation removes.
   void add_removal_to_history(std::uint32_t slot);
@@ -219,7 +221,7 @@ inline std::optional<Error> World::Operation::insert(const Shape& shape, ItemId 
   if (impl_.triangulation.has_too_many_vertices()) return limit_error(impl_.triangulation.budget(), id);
   note_inserted(shape.kind, id);
   note_changed(id);
-  if (kind_ != Kind::follow) impl_.note_item(shape.kind, shape.rings);
+  if (kind_ != Kind::follow) impl_.add_insertion_to_change_log(shape.kind, shape.rings);
   return std::nullopt;
 }
 
@@ -234,7 +236,7 @@ std::optional<Error> World::Operation::insert_all(const Batch& batch, const thre
     note_inserted(batch.kind(i), batch.id(i));
     note_changed(batch.id(i));
   }
-  if (kind_ != Kind::follow) impl_.note_changes(batch);
+  if (kind_ != Kind::follow) impl_.add_insertions_to_change_log(batch);
   return std::nullopt;
 }
 
@@ -313,7 +315,7 @@ std::optional<Error> World::Impl::insert_all(const Batch& batch, const threads::
     return std::nullopt;
   }
   change_log.begin();
-  note_changes(batch);
+  add_insertions_to_change_log(batch);
   history.begin();
   for (std::size_t i = 0; i < batch.size(); ++i) {
     history.add_insertion(batch.id(i));
@@ -350,15 +352,15 @@ std::optional<Error> World::Impl::replace_all(const Batch& batch, ItemId largest
 }
 
 template <class Batch>
-void World::Impl::note_changes(const Batch& batch) {
+void World::Impl::add_insertions_to_change_log(const Batch& batch) {
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    note_item(batch.kind(i), batch.rings(i));
+    add_insertion_to_change_log(batch.kind(i), batch.rings(i));
   }
 }
 
 /// Points are not walls, so the log does not record them.
 template <class Rings>
-void World::Impl::note_item(ItemKind kind, const Rings& rings) {
+void World::Impl::add_insertion_to_change_log(ItemKind kind, const Rings& rings) {
   if (kind == ItemKind::point) return;
   change_log.add_insertion();
   for (const auto& ring : rings) {

@@ -85,11 +85,7 @@ WorldSnapshot World::publish() {
     pool.drop(replica);
     replica = nullptr;
   }
-  if (replica == nullptr) {
-    World copy = clone();
-    copy.keep_history(0);
-    replica = pool.add(std::move(copy));
-  }
+  if (replica == nullptr) replica = pool.add(World(std::make_unique<Impl>(*impl_, History())));
   pool.hand_out(replica);
   replica->add_first_handle();
   return WorldSnapshot(replica);

@@ -149,6 +149,7 @@ void test_many_paths(void) {
   ww_paths* paths = NULL;
   const ww_path* path = NULL;
   ww_path* copy = NULL;
+  ww_path_watch* watch = NULL;
   ww_many_goals_query many;
   ww_path_query queries[3];
   ww_path_info info = {0};
@@ -193,6 +194,9 @@ void test_many_paths(void) {
   CHECK_OK(ww_paths_get(paths, 2, &path));
   CHECK_OK(ww_path_get_info(path, &info));
   CHECK(info.status == WW_PATH_FOUND && info.length == 1 && info.point_count == 0);
+  CHECK_OK(ww_path_watch_create(world, &watch));
+  CHECK_STATUS(ww_path_watch_add(watch, 1, path), WW_INVALID_ARGUMENT); /* it has no points */
+  ww_path_watch_destroy(watch);
   CHECK_OK(ww_path_get_info(copy, &info)); /* although the list has changed */
   CHECK(info.status == WW_PATH_FOUND && info.length == 1 && info.point_count == 2);
   ww_path_destroy(copy);

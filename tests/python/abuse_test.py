@@ -156,6 +156,8 @@ def test_positions_and_steps(world):
     for call in (lambda p: p.at(1), lambda p: p.nearest((1, 1)), lambda p: p.walk(1)):
         with pytest.raises(ValueError, match="wants_points"):
             call(without_points)
+    with pytest.raises(ValueError, match="wants_points"):
+        PathWatch(world).add(1, without_points)
 
 
 def values_like(value, choose):

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "waywright/path_search.hpp"
+#include "waywright/path_watch.hpp"
 #include "waywright/world.hpp"
 
 namespace waywright::test {
@@ -117,6 +118,11 @@ TEST(AssertionOf, APathWithoutPoints) {
   const Path path;
   EXPECT_DEATH(static_cast<void>(path.at(1)), "the path has no points");
   EXPECT_DEATH(static_cast<void>(path.nearest({1, 1})), "the path has no points");
+  const World world = world_of_ten();
+  const std::vector<Point> goals = {{7, 7}};
+  const Path without_points = world.find_paths_from({.start = {1, 1}, .goals = goals}).value()[0];
+  PathWatch watch(world);
+  EXPECT_DEATH(watch.add(1, without_points), "the path is found, but has no points");
 }
 
 TEST(AssertionOf, ShapesAndBoxes) {

@@ -102,6 +102,22 @@ TEST(AffectedDiscPaths, TurnAroundCorners) {
   EXPECT_TRUE(is_affected_by({49, 62}, {51, 63})) << "between the corner and the arc";
 }
 
+TEST(AffectedPaths, WithoutPointsAreAffectedByEachBox) {
+  World world = world_of_hundred();
+  const std::vector<Point> goals = {{80, 50}};
+  for (const double radius : {0.0, 5.0}) {
+    const Path path = world.find_paths_from({.start = {20, 50}, .goals = goals, .radius = radius}).value()[0];
+    ASSERT_EQ(path.status, PathStatus::found);
+    const std::uint64_t version = world.version();
+    EXPECT_FALSE(world.is_affected(path, version));
+    world.insert_point({50, 50}).value();
+    EXPECT_FALSE(world.is_affected(path, version)) << "a point is no wall, so there is no box";
+    world.insert_segment({50, 0}, {50, 100}).value();
+    EXPECT_TRUE(world.is_affected(path, version));
+    world.remove(world.largest_id_seen()).value();
+  }
+}
+
 TEST(AffectedDiscPaths, CanBeOnePosition) {
   World world = world_of_hundred();
   const std::vector<Path> paths{world.find_path({.start = {50, 50}, .goal = {50, 50}, .radius = 5}).value(),

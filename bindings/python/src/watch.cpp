@@ -97,7 +97,13 @@ Watches the paths of many agents. After operations, it finds the paths that the 
 )")
       .def(py::init(&make), py::arg("world").none(false))
       .def(
-          "add", [](WatchHandle& self, std::uint64_t key, const Path& path) { self.watch.add(key, path); },
+          "add",
+          [](WatchHandle& self, std::uint64_t key, const Path& path) {
+            if (path.status == PathStatus::found && path.points.empty() && path.pieces.empty()) {
+              throw py::value_error("this path has no points: find_paths_from() gives them with wants_points=True");
+            }
+            self.watch.add(key, path);
+          },
           py::arg("key"), py::arg("path"), "Watches a path under a key.")
       .def(
           "remove", [](WatchHandle& self, std::uint64_t key) { return self.watch.remove(key); }, py::arg("key"),
