@@ -28,6 +28,8 @@ constexpr std::size_t kTries = 8;
 /// The largest number of searches for one answer. If the gaps between polygons beyond the nearest edges are too narrow
 /// for a point (two doubles), the next search looks farther away.
 constexpr std::size_t kRounds = 32;
+/// How often nearest_on_ray() halves the distance between a free and a blocked position.
+constexpr int kHalvings = 6;
 
 /// Returns `value` and the two coordinates next to it, ascending. If `value` is too small for a coordinate, the
 /// function takes 0 instead of it.
@@ -47,13 +49,16 @@ std::optional<Point> FreePositions::nearest(const Triangulation& triangulation, 
   point_ = point;
   slack_ = 0x1p-46 * exact::filter::largest_magnitude(triangulation.domain());
   refused_.clear();
+  nearest_found_.reset();
   for (std::size_t round = 0; round < kRounds; ++round) {
     const std::size_t refused_before = refused_.size();
     flood(location, limit, connection);
-    if (const auto found = choose(limit, connection)) return found;
-    if (refused_.size() == refused_before) return std::nullopt;  // there is nothing within the limit
+    if (choose(limit, connection)) break;
+    if (refused_.size() == refused_before) break;  // there is nothing else within the limit
+    if (nearest_found_) limit = std::min(limit, distance(point_, *nearest_found_));
+    if (limit < kLeastLimit) break;
   }
-  return std::nullopt;
+  return nearest_found_;
 }
 
 /// Collects the edges between covered and open faces that may contain the nearest free position. The straight segment
@@ -119,9 +124,10 @@ bool FreePositions::Connection::contains(HalfEdge h) const {
                      [&](HalfEdge other) { return components->component_of(mesh::face(other)) == own; });
 }
 
-/// Tries the candidates in the order of their exact distances. Returns a free point at the nearest position of the
-/// first candidate that has one there. Adds the candidates without a free point to `refused_`.
-std::optional<Point> FreePositions::choose(double limit, const Connection& connection) {
+/// Tries the candidates in the order of their exact distances, and sets `nearest_found_`. Returns true if a candidate
+/// has a free point next to its nearest position: then the candidates after it are not nearer. Adds the candidates
+/// without such a point to `refused_`.
+bool FreePositions::choose(double limit, const Connection& connection) {
   std::erase_if(candidates_, [&](const Candidate& candidate) { return candidate.distance > nearest_ + slack_; });
   const mesh::TriangleMesh& mesh = triangulation_->topology();
   const exact::Geometry& geometry = triangulation_->triangulation().geometry();
@@ -133,13 +139,91 @@ std::optional<Point> FreePositions::choose(double limit, const Connection& conne
         geometry.rounded(number(side.from)), geometry.rounded(number(side.to)));
     if (limit >= kNoLimit || candidate_position.is_within(limit)) positions.emplace_back(candidate_position, h);
   }
-  std::sort(positions.begin(), positions.end(),
-            [](const auto& p, const auto& q) { return exact::NearestOnSegment::compare(p.first, q.first) < 0; });
+  // Two edges have equal positions if it is their common vertex. A stable sort keeps them in the order of the flood.
+  std::stable_sort(positions.begin(), positions.end(),
+                   [](const auto& p, const auto& q) { return exact::NearestOnSegment::compare(p.first, q.first) < 0; });
   for (std::size_t i = 0; i < std::min(positions.size(), kTries); ++i) {
-    if (const auto found = round_to_free(positions[i].first.rounded(), connection)) return found;
+    const Point rounded = positions[i].first.rounded();
+    if (const auto found = round_to_free(rounded, connection)) {
+      take_nearer(*found);
+      return true;
+    }
     refused_.push_back(positions[i].second);
+    look_in_wedge(positions[i].second, rounded, limit, connection);
   }
-  return std::nullopt;
+  return false;
+}
+
+void FreePositions::take_nearer(const Point& found) {
+  if (!nearest_found_ || distance(point_, found) < distance(point_, *nearest_found_)) nearest_found_ = found;
+}
+
+/// Looks for a free point in the wedge of open faces beyond `h`, at the end of `h` that is nearer to `position`.
+/// Updates `nearest_found_`.
+void FreePositions::look_in_wedge(HalfEdge h, const Point& position, double limit, const Connection& connection) {
+  const mesh::TriangleMesh& mesh = triangulation_->topology();
+  const exact::Geometry& geometry = triangulation_->triangulation().geometry();
+  const Point& target = geometry.rounded(number(mesh.target(h)));
+  const Point& origin = geometry.rounded(number(mesh.origin(h)));
+  const bool is_at_target = distance(position, target) <= distance(position, origin);
+  const auto direction = wedge_direction(h, is_at_target);
+  if (!direction) return;
+  if (const auto found = nearest_on_ray(is_at_target ? target : origin, *direction, limit, connection)) {
+    take_nearer(*found);
+  }
+}
+
+/// Returns a vector of length 1 that points into the wedge of open faces beyond the wall `h`, between this wall and the
+/// next one around its target (`is_at_target`) or its origin. Returns nothing if the rounded coordinates of two
+/// vertices are equal.
+std::optional<Point> FreePositions::wedge_direction(HalfEdge h, bool is_at_target) const {
+  const mesh::TriangleMesh& mesh = triangulation_->topology();
+  const exact::Geometry& geometry = triangulation_->triangulation().geometry();
+  // The half-edges below start at the vertex. The open face lies left of `first` if the vertex is the target of `h`.
+  const HalfEdge first = is_at_target ? mesh.twin(h) : h;
+  HalfEdge last = first;
+  do {
+    last = is_at_target ? mesh.next_around(last) : mesh.previous_around(last);
+  } while (last != first && nav::PointAgent::can_cross(mesh, last));
+  const Point& vertex = geometry.rounded(number(mesh.origin(first)));
+  const auto unit_towards_target = [&](HalfEdge spoke) {
+    const Point& target = geometry.rounded(number(mesh.target(spoke)));
+    const double size = distance(vertex, target);
+    return size > 0.0 ? std::optional<Point>({(target.x - vertex.x) / size, (target.y - vertex.y) / size})
+                      : std::nullopt;
+  };
+  const auto from = unit_towards_target(first);
+  const auto to = unit_towards_target(last);
+  if (!from || !to) return std::nullopt;
+  const double side = is_at_target ? 1.0 : -1.0;
+  const bool is_narrow = side * (from->x * to->y - from->y * to->x) > 0.0;
+  const Point middle = is_narrow ? Point{from->x + to->x, from->y + to->y} : Point{-side * from->y, side * from->x};
+  const double size = distance({0.0, 0.0}, middle);
+  if (size == 0.0) return std::nullopt;
+  return Point{middle.x / size, middle.y / size};
+}
+
+/// Returns a free point on a ray, rounded, that is about as near to the apex as possible. Returns nothing if it finds
+/// none, or if the point is farther than `limit` from the point of the query.
+std::optional<Point> FreePositions::nearest_on_ray(const Point& apex, const Point& direction, double limit,
+                                                   const Connection& connection) {
+  const auto at = [&](double length) {
+    const auto coordinate = [](double value) { return std::abs(value) < kSmallestCoordinate ? 0.0 : value; };
+    return Point{coordinate(apex.x + length * direction.x), coordinate(apex.y + length * direction.y)};
+  };
+  const double unit = 0x1p-53 * std::max({std::abs(apex.x), std::abs(apex.y), kSmallestCoordinate});
+  double blocked = 0.0;
+  double free = unit;
+  for (;; blocked = free, free *= 2.0) {
+    const Point next = at(free);
+    if (distance(point_, next) > limit || !is_in_domain(next)) return std::nullopt;
+    if (is_free(next, connection)) break;
+  }
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (blocked + free);
+    (is_free(at(middle), connection) ? free : blocked) = middle;
+  }
+  return at(free);
 }
 
 /// Returns the free point that is nearest to `rounded`, among `rounded` and the eight points around it.
@@ -165,11 +249,14 @@ std::optional<Point> FreePositions::round_to_free(const Point& rounded, const Co
   return *found;
 }
 
-bool FreePositions::is_free(const Point& point, const Connection& connection) {
+bool FreePositions::is_in_domain(const Point& point) const {
   const Box& domain = triangulation_->domain();
-  const bool is_in_domain = point.x >= domain.min.x && point.x <= domain.max.x && point.y >= domain.min.y &&
-                            point.y <= domain.max.y && is_in_range(point);
-  if (!is_in_domain) return false;
+  return point.x >= domain.min.x && point.x <= domain.max.x && point.y >= domain.min.y && point.y <= domain.max.y &&
+         is_in_range(point);
+}
+
+bool FreePositions::is_free(const Point& point, const Connection& connection) {
+  if (!is_in_domain(point)) return false;
   constraint::faces_at(*triangulation_, triangulation_->triangulation().locate(point), waiting_);
   return std::any_of(waiting_.begin(), waiting_.end(), [&](HalfEdge h) { return is_open(h, connection); });
 }

@@ -35,8 +35,9 @@ class FreePositions {
   /// Returns the nearest free position, rounded to a free point, or nothing if its distance is larger than `limit`. An
   /// exact computation decides which position is nearest and whether it is near enough. Of two equally near positions,
   /// the function takes the first in (x, y) order. It rounds the coordinates of this position. The answer is the
-  /// nearest free point among the result and the eight points around it. If none of them is free, the function
-  /// continues with the next position, on another edge. Requires: no face around `location` is open, `point` lies at
+  /// nearest free point among the result and the eight points around it. If none of them is free, the position lies in
+  /// a narrow wedge between walls. Then the function looks for a free point farther inside the wedge. It compares this
+  /// point with the next positions, on other edges. Requires: no face around `location` is open, `point` lies at
   /// `location`, `limit` is positive. Cost: the covered faces within the distance of the answer, or of `limit`.
   [[nodiscard]] std::optional<Point> nearest(const Triangulation& triangulation, constraint::CoverFinder& cover_finder,
                                              const Point& point, const locate::Located& location, double limit,
@@ -54,8 +55,14 @@ class FreePositions {
   [[nodiscard]] bool is_refused(mesh::HalfEdge h) const;
   [[nodiscard]] double distance_to(mesh::HalfEdge h) const;
   [[nodiscard]] bool is_open(mesh::HalfEdge h, const Connection& connection);
-  [[nodiscard]] std::optional<Point> choose(double limit, const Connection& connection);
+  [[nodiscard]] bool choose(double limit, const Connection& connection);
   [[nodiscard]] std::optional<Point> round_to_free(const Point& rounded, const Connection& connection);
+  void look_in_wedge(mesh::HalfEdge h, const Point& position, double limit, const Connection& connection);
+  [[nodiscard]] std::optional<Point> wedge_direction(mesh::HalfEdge h, bool is_at_target) const;
+  [[nodiscard]] std::optional<Point> nearest_on_ray(const Point& apex, const Point& direction, double limit,
+                                                    const Connection& connection);
+  void take_nearer(const Point& found);
+  [[nodiscard]] bool is_in_domain(const Point& point) const;
   [[nodiscard]] bool is_free(const Point& point, const Connection& connection);
 
   const Triangulation* triangulation_ = nullptr;
@@ -68,6 +75,7 @@ class FreePositions {
   std::vector<mesh::HalfEdge> waiting_;
   std::vector<Candidate> candidates_;
   std::vector<mesh::HalfEdge> refused_;  ///< edges that have no free point next to their nearest position
+  std::optional<Point> nearest_found_;   ///< the nearest free point that the search has found so far
 };
 
 }  // namespace waywright::path

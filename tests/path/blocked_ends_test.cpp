@@ -10,6 +10,7 @@
 #include "waywright/world.hpp"
 
 #include "oracle/oracle.hpp"
+#include "support/case_count.hpp"
 #include "support/oracle_adapter.hpp"
 #include "support/point_text.hpp"
 #include "support/random.hpp"
@@ -192,6 +193,80 @@ TEST(BlockedEnds, AreMovedToTheNearestFreePosition) {
     }
   }
   EXPECT_GT(moved, 100U);
+}
+
+// The sides of two triangles cross at (32/9, 5/3). Below lies a wedge of free ground. No double next to the rounded
+// crossing lies in it.
+TEST(BlockedEnds, AreMovedIntoNarrowWedges) {
+  World world = World::create({{0, 0}, {8, 8}}).value();
+  world.insert_polygon({{0, 7}, {5, 5}, {4, 1}}, 1).value();
+  world.insert_polygon({{3, 0}, {3, 7}, {4, 3}}, 2).value();
+  const Point crossing{32.0 / 9, 5.0 / 3};
+  const Path path = world.find_path({.start = crossing, .goal = {6, 1}}).value();
+  ASSERT_EQ(path.status, PathStatus::found);
+  ASSERT_TRUE(path.moved_start.has_value());
+  EXPECT_LT(distance(path.moved_start->to, crossing), 1e-13);
+  const Path back = world.find_path({.start = {6, 1}, .goal = crossing}).value();
+  EXPECT_EQ(back.moved_goal->to, path.moved_start->to);
+  const NearestFit fit = world.nearest_fit({.point = {3.6, 2}}).value();
+  EXPECT_NEAR(fit.distance, distance(crossing, {3.6, 2}), 1e-12);
+  const double limit = distance(crossing, {3.6, 2});
+  EXPECT_TRUE(world.nearest_fit({.point = {3.6, 2}, .limit = 1.000001 * limit}).value().is_found);
+  EXPECT_FALSE(world.nearest_fit({.point = {3.6, 2}, .limit = 0.999999 * limit}).value().is_found);
+}
+
+// The rounded crossing of two closed polylines lies in an area without a way out.
+TEST(BlockedEnds, AreMovedAcrossWallsIntoNarrowWedges) {
+  World world = World::create({{0, 0}, {6, 6}}).value();
+  world.insert_polyline(std::vector<Point>{{5, 4}, {2, 4}, {3, 1}, {5, 4}}, 1).value();
+  world.insert_polyline(std::vector<Point>{{2, 1}, {5, 5}, {2, 5}, {2, 1}}, 2).value();
+  const Point crossing{35.0 / 13, 25.0 / 13};
+  const Path path = world.find_path({.start = crossing, .goal = {0.5, 0.5}}).value();
+  ASSERT_EQ(path.status, PathStatus::found);
+  EXPECT_LT(distance(path.moved_start->to, crossing), 1e-12);
+  EXPECT_LT(world.nearest_fit({.point = crossing, .goal = Point{0.5, 0.5}}).value().distance, 1e-12);
+}
+
+/// Returns a number from `low` to `high`.
+double number_between(Random& random, double low, double high) {
+  return low + (high - low) * 0x1p-30 * static_cast<double>(random.below(1U << 30));
+}
+
+/// A town of rotated houses, which overlap.
+Scene random_houses(Random& random) {
+  Scene scene{{{0, 0}, {100, 100}}, {}};
+  for (std::uint64_t id = 1; id <= 24; ++id) {
+    const Point middle{number_between(random, 15, 85), number_between(random, 15, 85)};
+    const double angle = number_between(random, 0, 6.28);
+    const Point side{10 * std::cos(angle), 10 * std::sin(angle)};
+    scene.items.push_back({{id},
+                           Shape::polygon({{middle.x + side.x, middle.y + side.y},
+                                           {middle.x - side.y, middle.y + side.x},
+                                           {middle.x - side.x, middle.y - side.y},
+                                           {middle.x + side.y, middle.y - side.x}})});
+  }
+  return scene;
+}
+
+TEST(BlockedEnds, AreMovedToTheNearestFreePositionBetweenHouses) {
+  std::size_t moved = 0;
+  for (std::uint64_t seed = 1; seed <= case_count(); ++seed) {
+    Random random(seed);
+    const Scene scene = random_houses(random);
+    const oracle::Oracle oracle(oracle::to_oracle(scene));
+    World world = World::create(scene.domain).value();
+    for (const Item& item : scene.items) world.insert(item.shape, item.id).value();
+    for (int i = 0; i < 12; ++i) {
+      const Point p{number_between(random, 20, 80), number_between(random, 20, 80)};
+      if (!oracle.strictly_inside(oracle::to_oracle(p))) continue;
+      const NearestFit fit = world.nearest_fit({.point = p}).value();
+      ASSERT_TRUE(fit.is_found);
+      ++moved;
+      EXPECT_FALSE(oracle.strictly_inside(oracle::to_oracle(fit.at))) << text_of(fit.at);
+      EXPECT_LE(fit.distance, distance_to_free(scene, oracle, p) + 1e-9) << "seed " << seed << ": " << text_of(p);
+    }
+  }
+  EXPECT_GT(moved, 3 * case_count());
 }
 
 // One polygon rests on another. The gap between them is nearer than the outside, but no double lies in it.
