@@ -153,12 +153,12 @@ void DiscOptimal::follow(Window window) {
     const Point apex = map_->position(mesh.apex(window.entry));
     HalfEdge exit = mesh::kNoHalfEdge;
     if (const double from_left = orientation(root, window.left, apex); from_left >= 0.0) {
-      if (window.left.anchor == mesh.origin(window.entry)) note_turn(window, kTurnLeft, from_left > 0.0);
+      if (window.left.anchor == mesh.origin(window.entry)) pass_end(window, window.left, kTurnLeft, from_left);
       exit = mesh::next(window.entry);
       edge.left = apex;
       if (from_left == 0.0) window.left.anchor = mesh.apex(window.entry);
     } else if (const double from_right = orientation(root, window.right, apex); from_right <= 0.0) {
-      if (window.right.anchor == mesh.target(window.entry)) note_turn(window, kTurnRight, from_right < 0.0);
+      if (window.right.anchor == mesh.target(window.entry)) pass_end(window, window.right, kTurnRight, from_right);
       exit = mesh::previous(window.entry);
       edge.right = apex;
       if (from_right == 0.0) window.right.anchor = mesh.apex(window.entry);
@@ -198,6 +198,17 @@ bool DiscOptimal::divide(Window& window, Edge& edge, const Point& apex) {
   return goes_left || goes_right;
 }
 
+/// The ray passes through the end of the window's edge, and the apex does not lie between the rays. `side` is the
+/// orientation() of the apex. Adds a turn node for the end of the edge.
+///
+/// If a path turns at its root in the direction `turn`, the lines from the root to all vertices on this ray are one
+/// line. A path that touches a later vertex on the ray also touches the first one. So the search adds a turn node for
+/// the first vertex alone, and the windows of the new root see the next one. Without this rule, n vertices on a line
+/// would have n^2 turn nodes.
+void DiscOptimal::pass_end(const Window& window, Ray& ray, int turn, double side) {
+  if (!ray.has_turn && note_turn(window, turn, side != 0.0)) ray.has_turn = roots_[window.root].end.pivot.turn == turn;
+}
+
 /// Adds a turn node for an end of the window's edge: the left end if `turn` is kTurnLeft, the right end if it is
 /// kTurnRight. Requires: a ray of the window passes through this end. Does nothing if no path can continue after the
 /// turn: neither through the two other edges of the face, nor to a goal in one of the two faces at the window's edge.
@@ -205,7 +216,8 @@ bool DiscOptimal::divide(Window& window, Edge& edge, const Point& apex) {
 /// edge is the edge of the face that does not contain this end of the window's edge. If the apex lies on the ray and
 /// the path also turns in the direction `turn` at its root, the path goes along the ray to the apex. It does not cross
 /// the far edge.
-void DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
+/// Returns whether it has added a turn node, or would have added one if the turn node could be useful.
+bool DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const bool is_left = turn == kTurnLeft;
   const HalfEdge corner = is_left ? window.entry : mesh::next(window.entry);
@@ -217,9 +229,10 @@ void DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
   const bool may_cross_far_edge = (sees_apex || from.turn != turn) && !is_excluded(pivot, far_edge, edge_of(far_edge));
   const bool is_goal_near =
       ends_->is_goal_face(mesh::face(window.entry)) || ends_->is_goal_face(mesh::face(mesh.twin(window.entry)));
-  if (!is_goal_near && !may_cross_far_edge && is_excluded(pivot, near_edge, edge_of(near_edge))) return;
+  if (!is_goal_near && !may_cross_far_edge && is_excluded(pivot, near_edge, edge_of(near_edge))) return false;
   const auto line = tangent(from, pivot, map_->radius);
   if (line) push_turn(window.root, corner, turn, *line, kNone);
+  return line.has_value();
 }
 
 /// Adds a turn node, unless the path would have to turn back at the root to reach this pivot: a path that turns back

@@ -75,6 +75,9 @@ class DiscOptimal {
   struct Ray {
     Point direction;
     mesh::Vertex anchor = mesh::kNoVertex;  ///< the last vertex on the ray that the search has found, or kNoVertex
+    /// Whether a path that turns at the root, turns in the same direction at an earlier vertex on the ray, and
+    /// continues along the ray, reaches the anchor. Then the search needs no turn node for the anchor.
+    bool has_turn = false;
   };
   struct Window {
     mesh::HalfEdge entry;  ///< the edge of the window, as a half-edge of the face beyond this edge
@@ -159,7 +162,8 @@ class DiscOptimal {
   /// Moves a window from face to face, until the search divides the window, drops it or computes its bound again.
   void follow(Window window);
   [[nodiscard]] bool divide(Window& window, Edge& edge, const Point& apex);
-  void note_turn(const Window& window, int turn, bool sees_apex);
+  bool note_turn(const Window& window, int turn, bool sees_apex);
+  void pass_end(const Window& window, Ray& ray, int turn, double side);
   void push_turn(std::uint32_t root, mesh::HalfEdge corner, int turn, const Tangent& line, std::uint32_t earlier);
   [[nodiscard]] bool is_same_chain(std::uint32_t a, std::uint32_t b) const;
   /// Adds a turn node for the goal if the goal lies between the two rays of the window.

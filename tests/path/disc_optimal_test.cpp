@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "waywright/world.hpp"
+
 #include "clearance/near_walls.hpp"
 #include "path/disc_guide.hpp"
 #include "support/case_count.hpp"
@@ -309,6 +311,30 @@ NamedScene cave() {
 
 // If a limit of the turn prevented a line that a window had suggested, the search once did not try the vertex that
 // limits the turn, and its path was too long.
+/// Returns how many expansions the search of a disc through n doors takes, whose corners lie on two lines. `jitter`
+/// moves each door by a little less than this.
+std::size_t expansions_through_doors(int n, double jitter) {
+  const double size = 100.0 * n + 100;
+  World world = World::create({{-size, -size}, {size, size}}, {.keep_bridges = true}).value();
+  for (int i = 1; i <= n; ++i) {
+    const double half = 100.0 * i;
+    const double door = i + jitter * (i * 7919 % 1024) / 1024;
+    const std::vector<Point> ring = {{-door, -half}, {-half, -half}, {-half, half},
+                                     {half, half},   {half, -half},  {door, -half}};
+    world.insert_polyline(ring).value();
+  }
+  const Point start{-0.22 * size, 0.36 * size};
+  const Path path = world.find_path({.start = start, .goal = {-0.7 * size, 0.95 * size}, .radius = 0.25}).value();
+  EXPECT_EQ(path.status, PathStatus::found);
+  return path.expansions;
+}
+
+// If the corners of n doors lie on one line, a line of the path touches up to n circles. The search must not make a
+// turn node for each pair of them.
+TEST(DiscPaths, PassManyDoorsOnALine) {
+  EXPECT_LT(expansions_through_doors(75, 0), 2 * expansions_through_doors(75, 0x1p-20));
+}
+
 TEST(DiscPaths, ContinueAtTheLimitOfATurn) { check_shortest_paths(cave()); }
 
 TEST(DiscPaths, AreFoundInCaves) {

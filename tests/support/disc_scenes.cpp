@@ -99,6 +99,22 @@ Trap divided_door() {
           {}};
 }
 
+/// Rings around a centre, each with a door. The left corners of all doors lie on one line, and so do the right ones.
+Trap doors_on_a_line() {
+  Trap trap{"doors on a line",
+            {{-20, -20}, {20, 20}},
+            {},
+            {{{1, 1}, {-18, 18}}, {{0, 0}, {19, -5}}, {{-2.5, 3}, {-4, -18}}, {{18, 18}, {0.5, -10}}},
+            {0.25, 0.5, 0.9, 1.0},
+            {}};
+  for (int i = 1; i <= 4; ++i) {
+    const double half = 4.0 * i;
+    const double door = i;
+    trap.chains.push_back({{-door, -half}, {-half, -half}, {-half, half}, {half, half}, {half, -half}, {door, -half}});
+  }
+  return trap;
+}
+
 Trap comb(Random& random) {
   Trap trap{"comb", {{0, 0}, {40, 20}}, {}, {{{1.5, 10}, {38.5, 10}}, {{1.5, 3}, {22, 10}}}, {0.75, 1, 1.25, 1.5}, {}};
   for (int i = 1; i < 9; ++i) {
@@ -438,6 +454,7 @@ std::vector<NamedScene> trap_scenes(std::uint64_t seed) {
   traps.push_back(turning_alley(0));
   traps.push_back(turning_alley(0.5));
   traps.push_back(divided_door());
+  traps.push_back(doors_on_a_line());
   std::vector<NamedScene> scenes;
   for (const Trap& trap : traps) {
     for (const Coordinates coordinates :
