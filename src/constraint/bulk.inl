@@ -135,12 +135,13 @@ void ConstrainedTriangulation<Geometry>::insert_all(const Batch& batch, const th
   }
   const auto vertex_of = [&](std::uint32_t rank) { return vertices[rank]; };
   items_.add_hash(hash_of_batch(batch));
-  std::size_t done = 0;
-  for (const RankedItem& item : add_records(batch, sorted.ranks, vertex_of, [](std::size_t) {})) {
-    items_.for_each_side(item.slot, [&](std::uint32_t side) { insert_side(side); });
-    if (is_refused_at(batch, item.slot)) return;
-    if (++done % kItemsBetweenReports == 0) team.report(sorted.ranks.size() + done);
+  const std::vector<RankedItem> items = add_records(batch, sorted.ranks, vertex_of, [](std::size_t) {});
+  std::vector<SideOfBatch> sides;
+  for (std::uint32_t i = 0; i < items.size(); ++i) {
+    items_.for_each_side(items[i].slot, [&](std::uint32_t side) { sides.push_back({i, side}); });
   }
+  insert_sides(batch, items, sides,
+               [&](std::size_t done) { team.report(sorted.ranks.size() + items.size() * done / sides.size()); });
 }
 
 /// Makes a vertex at each point, first in their order. If this is costly, it inserts the others in scattered order.
@@ -214,30 +215,55 @@ template <class Geometry>
 template <class Batch>
 void ConstrainedTriangulation<Geometry>::insert_sides_by_region(const Batch& batch, std::span<const RankedItem> items,
                                                                 std::size_t corners, const threads::ThreadTeam& team) {
-  const std::vector<LateSide> late = insert_local_sides(items, corners, team);
-  std::size_t done = items.size();
-  for (std::size_t i = 0; i < late.size(); ++i) done -= i == 0 || late[i].item != late[i - 1].item ? 1 : 0;
-  for (std::size_t i = 0; i < late.size(); ++i) {
-    insert_side(late[i].side);
-    if (is_refused_at(batch, items[late[i].item].slot)) return;
-    if (i + 1 < late.size() && late[i].item == late[i + 1].item) continue;
-    if (++done % kItemsBetweenReports != 0) continue;
+  const std::vector<SideOfBatch> late = insert_local_sides(items, corners, team);
+  std::size_t complete = items.size();
+  for (std::size_t i = 0; i < late.size(); ++i) complete -= i == 0 || late[i].item != late[i - 1].item ? 1 : 0;
+  insert_sides(batch, items, late, [&](std::size_t done) {
     begin();
-    team.report(corners + done);
+    team.report(corners + complete + (items.size() - complete) * done / late.size());
+  });
+}
+
+/// Inserts sides, first in their order. If this is costly, inserts the others in scattered order. For each side, the
+/// expected number of edges that it crosses is then small. Calls after_side(the number of inserted sides) from time to
+/// time. If an insertion exceeds a limit, stops and sets `refused_index_`. Source: Shewchuk and Brown, *Fast segment
+/// insertion and incremental construction of constrained Delaunay triangulations*, 2015 (the random order).
+template <class Geometry>
+template <class Batch, class AfterSide>
+void ConstrainedTriangulation<Geometry>::insert_sides(const Batch& batch, std::span<const RankedItem> items,
+                                                      std::span<const SideOfBatch> sides, AfterSide&& after_side) {
+  CostWatch watch(kEdgesPerSide);
+  std::size_t done = 0;
+  const auto insert = [&](const SideOfBatch& side) {
+    const std::size_t crossed_before = crossed_count_;
+    insert_side(side.side);
+    watch.add(crossed_count_ - crossed_before);
+    if (is_refused_at(batch, items[side.item].slot)) return false;
+    if (++done % kItemsBetweenReports == 0) after_side(done);
+    return true;
+  };
+  while (done < sides.size() && !watch.is_costly()) {
+    if (!insert(sides[done])) return;
+  }
+  std::vector<std::uint32_t> order;
+  append_scattered(static_cast<std::uint32_t>(done), static_cast<std::uint32_t>(sides.size()), true, order);
+  for (const std::uint32_t i : order) {
+    if (!insert(sides[i])) return;
   }
 }
 
 /// Inserts each side that LocalEdges can insert within one region. Returns the other sides, in the order of the items.
 template <class Geometry>
 auto ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<const RankedItem> items, std::size_t corners,
-                                                            const threads::ThreadTeam& team) -> std::vector<LateSide> {
+                                                            const threads::ThreadTeam& team)
+    -> std::vector<SideOfBatch> {
   const std::size_t ranks = topology().vertex_count() - 1;  // without the ghost
   const std::size_t size = std::clamp(ranks / kUsualRegions, kSmallestRegion, kLargestRegion);
   // Several regions need memory for the labels of all edges. So if there are few items among many points, the code
   // makes one region, and one thread inserts all sides.
   const std::size_t regions = items.size() < ranks / kPointsPerItem ? 1 : std::max<std::size_t>(ranks / size, 1);
   if (regions > 1) triangulation_.make_room_for_labels();
-  std::vector<std::vector<LateSide>> late(regions);
+  std::vector<std::vector<SideOfBatch>> late(regions);
   std::atomic<std::size_t> done{0};
   team.for_each_index(regions, [&](std::size_t /*thread*/, std::size_t i) {
     const std::size_t end = i + 1 == regions ? ranks : (i + 1) * size;
@@ -246,7 +272,7 @@ auto ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<const Rank
   });
   for (std::size_t i = 1; i < regions; ++i) {
     late[0].insert(late[0].end(), late[i].begin(), late[i].end());
-    late[i] = std::vector<LateSide>();  // assigning {} would keep the memory
+    late[i] = std::vector<SideOfBatch>();  // assigning {} would keep the memory
   }
   return std::move(late[0]);
 }
@@ -257,7 +283,7 @@ auto ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<const Rank
 template <class Geometry>
 std::size_t ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<const RankedItem> items, std::size_t begin,
                                                                    std::size_t end, bool defers_all,
-                                                                   std::vector<LateSide>& late) {
+                                                                   std::vector<SideOfBatch>& late) {
   const auto at = [&](std::size_t rank) {
     const auto found = std::lower_bound(items.begin(), items.end(), rank,
                                         [](const RankedItem& item, std::size_t r) { return item.rank < r; });

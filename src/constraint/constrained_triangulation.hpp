@@ -128,6 +128,7 @@ class ConstrainedTriangulation {
   static constexpr std::size_t kItemsBetweenReports = 1024;
   static constexpr std::size_t kTestsPerVertex = 32;  ///< allowed edge tests for a new vertex: three times the usual
   static constexpr std::size_t kEdgesPerVertex = 18;  ///< allowed edges of a removed vertex: three times the usual
+  static constexpr std::size_t kEdgesPerSide = 16;    ///< allowed crossed edges of a side of a batch: usually 0 to 3
   /// add_records() prefetches the data of the item, and of the corner, that it needs this many steps later.
   static constexpr std::size_t kIdsAhead = 8;
   static constexpr std::size_t kCornersAhead = 16;
@@ -155,8 +156,8 @@ class ConstrainedTriangulation {
     std::uint32_t rank, slot;
     friend auto operator<=>(const RankedItem&, const RankedItem&) = default;
   };
-  /// A side that no region contains: the index of its item in the list of RankedItem, and its slot.
-  struct LateSide {
+  /// A side of a batch: the index of its item in the list of RankedItem, and its slot.
+  struct SideOfBatch {
     std::uint32_t item, side;
   };
 
@@ -185,10 +186,13 @@ class ConstrainedTriangulation {
   template <class Batch>
   void insert_sides_by_region(const Batch& batch, std::span<const RankedItem> items, std::size_t corners,
                               const threads::ThreadTeam& team);
-  [[nodiscard]] std::vector<LateSide> insert_local_sides(std::span<const RankedItem> items, std::size_t corners,
-                                                         const threads::ThreadTeam& team);
+  [[nodiscard]] std::vector<SideOfBatch> insert_local_sides(std::span<const RankedItem> items, std::size_t corners,
+                                                            const threads::ThreadTeam& team);
   std::size_t insert_local_sides(std::span<const RankedItem> items, std::size_t begin, std::size_t end, bool defers_all,
-                                 std::vector<LateSide>& late);
+                                 std::vector<SideOfBatch>& late);
+  template <class Batch, class AfterSide>
+  void insert_sides(const Batch& batch, std::span<const RankedItem> items, std::span<const SideOfBatch> sides,
+                    AfterSide&& after_side);
   template <class Batch>
   [[nodiscard]] bool is_refused_at(const Batch& batch, std::uint32_t slot);
 
@@ -257,6 +261,7 @@ class ConstrainedTriangulation {
   std::vector<LateCorner> late_corners_;
   std::vector<std::uint32_t> order_;
   std::vector<mesh::HalfEdge> crossed_;
+  std::size_t crossed_count_ = 0;      ///< how many free edges all inserted sides have crossed
   std::vector<mesh::Vertex> touched_;  ///< the vertices of the removed item; there may be no reason for them any more
   NewWalls new_walls_;
   Outline outline_;  ///< of the item that the operation inserts or removes

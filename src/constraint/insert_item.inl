@@ -162,6 +162,7 @@ template <class Geometry>
 mesh::HalfEdge ConstrainedTriangulation<Geometry>::add_piece(mesh::Vertex u, const Step& step, std::uint32_t side) {
   if (step.along == mesh::kNoHalfEdge || !topology().is_fixed(step.along)) new_walls_.add(topology(), u, step.vertex);
   if (step.along == mesh::kNoHalfEdge) {
+    crossed_count_ += crossed_.size();
     return triangulation_.force_edge(u, step.vertex, crossed_, UseLists::single(side));
   }
   triangulation_.fix(step.along, uses_.add(topology().label(step.along), side));

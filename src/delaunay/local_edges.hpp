@@ -23,8 +23,8 @@ class LocalEdges {
 
   /// Makes u - w an edge with this label, if it is a free edge, or if it crosses only free edges and all vertices of
   /// the faces that it crosses are in the range. Returns whether it has made the edge. It makes no edge if u - w meets
-  /// a vertex or a fixed edge, or if it starts at a vertex with very many edges: the caller must then insert the
-  /// segment with another function.
+  /// a vertex, a fixed edge or very many edges, or if it starts at a vertex with very many edges: the caller must then
+  /// insert the segment with another function.
   bool force_edge(mesh::Vertex u, mesh::Vertex w, mesh::Label label) {
     if (!is_own(u) || !is_own(w)) return false;
     if (mesh_.has_many_and_more_edges(u, w)) std::swap(u, w);
@@ -40,7 +40,8 @@ class LocalEdges {
   }
 
  private:
-  static constexpr std::size_t kMostEdges = 256;  ///< first_crossed() looks at no more edges of a vertex than this
+  static constexpr std::size_t kMostEdges = 256;    ///< first_crossed() looks at no more edges of a vertex than this
+  static constexpr std::size_t kMostCrossed = 256;  ///< a segment that crosses more edges needs another function
 
   [[nodiscard]] bool is_own(mesh::Vertex v) const { return begin_ <= number(v) && number(v) < end_; }
   [[nodiscard]] exact::Sign orientation(mesh::Vertex u, mesh::Vertex w, mesh::Vertex v) const {
@@ -72,6 +73,7 @@ class LocalEdges {
     for (;;) {
       // The code tests the range first: another thread may be changing an edge between two vertices outside the range.
       if (!is_own(mesh_.origin(h)) || !is_own(mesh_.target(h)) || mesh_.is_fixed(h)) return false;
+      if (crossed_.size() == kMostCrossed) return false;
       crossed_.push_back(h);
       const mesh::HalfEdge t = mesh_.twin(h);
       const mesh::Vertex apex = mesh_.apex(t);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "waywright/predicate_counts.hpp"
 #include "waywright/query_context.hpp"
 #include "waywright/world.hpp"
 
@@ -86,6 +87,48 @@ TEST(Growth, RingsInsertedAtOnceIntoAWorld) {
                                    {ItemId{11}, Shape::polygon(circle(790, 300))}};
   static_cast<void>(world.insert_all(items).value());
   expect_right(world);
+}
+
+/// Square rings around the origin, each with a door.
+std::vector<Item> rings_with_doors(std::size_t count) {
+  std::vector<Item> items;
+  for (std::size_t i = 1; i <= count; ++i) {
+    const double half = 900.0 * static_cast<double>(i) / static_cast<double>(count);
+    const double door = half / 128;
+    const std::vector<Point> ring = {{-door, -half}, {-half, -half}, {-half, half},
+                                     {half, half},   {half, -half},  {door, -half}};
+    items.push_back({ItemId{i}, Shape::polyline(ring)});
+  }
+  return items;
+}
+
+/// Returns how many orientation and in-circle tests this thread has made.
+std::uint64_t test_count() {
+  const PredicateCounts counts = predicate_counts();
+  const auto sum = [](const StageCounts& c) { return c.doubles + c.lattice + c.integers; };
+  return sum(counts.orientation) + sum(counts.in_circle);
+}
+
+// If the sides are inserted from the centre outwards, each one crosses many edges.
+TEST(Growth, RingsWithDoorsInsertedAtOnce) {
+  for (const bool is_empty : {true, false}) {
+    std::uint64_t tests[2] = {};
+    for (const std::size_t i : {0U, 1U}) {
+      World world = World::create(kDomain).value();
+      if (!is_empty) world.insert_point({999, 999}, 5000).value();
+      const std::uint64_t before = test_count();
+      static_cast<void>(world.insert_all(rings_with_doors(i == 0 ? 1000 : 2000)).value());
+      tests[i] = test_count() - before;
+    }
+    EXPECT_LT(tests[1], 3 * tests[0]) << tests[0];
+  }
+  World world = World::create(kDomain).value();
+  World other = World::create(kDomain).value();
+  const std::vector<Item> items = rings_with_doors(150);
+  static_cast<void>(world.insert_all(items).value());
+  for (const Item& item : items) other.insert(item.shape, item.id).value();
+  ASSERT_NO_FATAL_FAILURE(expect_right(world));
+  EXPECT_EQ(world.dump(), other.dump());
 }
 
 TEST(Growth, VerticesWithManyNeighbours) {
