@@ -282,9 +282,15 @@ void NearestFit::settle(const Piece& piece) {
   const Point from = piece.curve.at(sharpened(piece, parameter));
   const Point at = query_.point + from;
   const double largest = std::max({std::abs(at.x), std::abs(at.y), std::abs(from.x), std::abs(from.y), query_.radius});
-  step_ = std::max(0x1p-53 * largest, kSmallestCoordinate);
   if (try_at(from)) return;
-  if (push_inwards(from, inward(piece, parameter), step_, 0x1p10 * step_)) return;
+  const Point direction = inward(piece, parameter);
+  step_ = 0x1p-53 * std::max(largest, kSmallestCoordinate);
+  if (push_inwards(from, direction, step_, 0x1p10 * step_)) return;
+  // Near the origin, a coordinate cannot change by less than the smallest coordinate.
+  if (step_ < kSmallestCoordinate) {
+    step_ = kSmallestCoordinate;
+    if (push_inwards(from, direction, step_, 0x1p10 * step_)) return;
+  }
   if (try_around(from)) return;
   follow(piece, parameter, piece.interval.low);
   follow(piece, parameter, piece.interval.high);

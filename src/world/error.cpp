@@ -58,6 +58,12 @@ std::string_view to_string(ErrorCode code) {
 
 namespace {
 
+/// The number of an id that is too large. A negative number has become such an id (ItemId), so most of them print as
+/// negative numbers. The id after the largest one prints as 2^63.
+std::string text_of_bad_id(ItemId id) {
+  return id.value == ItemId::kLargest + 1 ? "2^63" : std::to_string(static_cast<std::int64_t>(id.value));
+}
+
 void append_point_error(std::string& text, const Error& error) {
   const detail::PointName& named = error.words.point_name;
   const Point& point = error.words.point;
@@ -106,8 +112,7 @@ void append_id_error(std::string& text, const Error& error) {
       text += text::with_number("no item has id ", error.item.value, "");
       break;
     case ErrorCode::bad_id:
-      text += "ids go from 1 to 2^63 - 1, and " + std::to_string(static_cast<std::int64_t>(error.item.value)) +
-              " is not an id";
+      text += "ids go from 1 to 2^63 - 1, and " + text_of_bad_id(error.item) + " is not an id";
       break;
     default:
       text += to_string(error.code);

@@ -54,7 +54,9 @@ TEST(ItemId, OfANegativeNumberIsRefused) {
   expect_bad(world.remove(-1), "-1");
   expect_bad(world.replace(-2, Shape::point({1, 1})), "-2");
   expect_bad(world.shape(-3), "-3");
-  expect_bad(world.remove(std::numeric_limits<std::int64_t>::min()), "-9223372036854775808");
+  expect_bad(world.remove(std::numeric_limits<std::int64_t>::min()), "2^63");
+  world.reserve_ids(ItemId::kLargest).value();
+  expect_bad(world.insert_point({1, 2}), "2^63");
   EXPECT_FALSE(world.contains(-1));
   EXPECT_EQ(world.item_count(), 1U);
 }

@@ -299,6 +299,20 @@ TEST(NearestFit, WorksWithRadiiOfAnySize) {
 
 // Near (0, 0), doubles are much closer to each other than the smallest coordinate that a world accepts. The search must
 // not halve its steps down to 0.
+TEST(NearestFit, IsAsPreciseInASmallWorld) {
+  const auto distance_at_scale = [](double scale) {
+    World world = World::create({{0, 0}, {16 * scale, 16 * scale}}).value();
+    world.insert_segment({3 * scale, 3 * scale}, {8 * scale, 8 * scale}).value();
+    world.insert_segment({8 * scale, 8 * scale}, {13 * scale, 2 * scale}).value();
+    const NearestFit fit = world.nearest_fit({.point = {8.25 * scale, 9 * scale}, .radius = 1.5 * scale}).value();
+    return fit.distance / scale;
+  };
+  const double expected = 1.5 - std::hypot(0.25, 1);
+  for (const double scale : {1.0, 0x1p-60, 0x1p-70, 0x1p-80, 0x1p-95}) {
+    EXPECT_NEAR(distance_at_scale(scale), expected, 1e-12) << scale;
+  }
+}
+
 TEST(NearestFit, EndsNearTheOriginForTheSmallestRadius) {
   const World world = World::create({{0, 0}, {0x1p-35, 0x1p-35}}, {.keep_bridges = true}).value();
   const NearestFit fit = world.nearest_fit({.point = {0, 0}, .radius = 5e-324}).value();
