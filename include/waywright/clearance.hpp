@@ -63,8 +63,9 @@ struct NearestFitQuery {
 /// of coordinates. In an angle between two walls in which the disc only just fits, it fits at few points whose
 /// coordinates are doubles. There the answer can lie up to about a millionth of the radius farther away than the
 /// nearest of these points. If the disc fits only at a single position, or only along a line between two walls, there
-/// is an answer only if doubles can express a position there. Of several equally near points, the first in (x, y) order
-/// is the answer.
+/// is an answer only if doubles can express a position there. Of several equally near points that the search finds, the
+/// first in (x, y) order is the answer. (Along an arc around a vertex, the search finds one point; rounding errors
+/// decide which one it is.)
 struct NearestFit {
   /// Whether there is an answer: a point within the limit where the disc fits and, if the query has a goal, from which
   /// the disc can move to the goal. If the member is false, all other members are zero.

@@ -277,7 +277,7 @@ struct WAYWRIGHT_API Path {
 
   /// Returns the path as points, for programs that cannot use arcs. For a point agent, the result is `points`. For a
   /// disc, the points are the ends of all pieces and, on each arc, as few points between its ends as the tolerance
-  /// allows. The function leaves out each point that equals the point before it. All points lie on the path, up to
+  /// allows, without points that equal the point before them. All points lie on the path, up to
   /// rounding errors. No position on the straight segments between them is farther than `tolerance` from the path. So
   /// no wall is nearer to these segments than the radius minus the tolerance. A tolerance above half the radius counts
   /// as half the radius, so that the segments never touch a wall. If the path has no points and no pieces, the result

@@ -121,8 +121,8 @@ class WAYWRIGHT_API World {
   /// Removes an item. The resulting mesh has exactly the vertices, edges and faces that the mesh of a new world with
   /// the remaining items has.
   /// Errors: unknown_id, bad_id.
-  /// Cost: the triangles that the item touches, however large the world is. With the abstraction, a removal that
-  /// connects two areas also costs the triangles of the smaller area.
+  /// Cost: the triangles that the item touches, however large the world is, and the bridges that change. With the
+  /// abstraction, a removal that connects two areas also costs the triangles of the smaller area.
   /// Source: Chen 2009, sections 3.4 and 3.5.
   Result<void> remove(ItemId id);
 
@@ -141,7 +141,7 @@ class WAYWRIGHT_API World {
   /// Inserts many items as one operation. Returns the id of each. This is much faster than one call for each item,
   /// especially if the world has no items yet. Error::index is the index of the refused item in `items`.
   /// Errors: the errors of insert().
-  /// Cost: O(n log n), and the triangles that the sides of the items cross.
+  /// Cost: O(n log n), the triangles that the sides cross, and the bridges (WorldOptions::keep_bridges).
   /// Source: Guibas and Stolfi 1985, Dwyer 1987 (for the corners of the first items of a world).
   Result<std::vector<ItemId>> insert_all(std::span<const Item> items, const BulkOptions& options = {});
 
