@@ -99,7 +99,7 @@ TEST(Attempt, LeavesARunningSearchAlone) {
 TEST(Attempt, ForbidsOperationsInTheQuestion) {
   World world = world_of_hundred();
   const std::vector<Change> changes{Change::insert(kWall)};
-  const char* const why = "the question of World::attempt\\(\\) must not change the world";
+  const char* const why = "the question of World::attempt\\(\\) must not change or clone the world";
   EXPECT_DEATH(static_cast<void>(world.attempt(changes, [&](const World&) { return world.insert(kWall).ok(); })), why);
   EXPECT_DEATH(static_cast<void>(world.attempt(changes, [&](const World&) { world.keep_history(3); })), why);
   EXPECT_DEATH(static_cast<void>(
