@@ -261,7 +261,7 @@ class ConstrainedTriangulation {
   std::vector<LateCorner> late_corners_;
   std::vector<std::uint32_t> order_;
   std::vector<mesh::HalfEdge> crossed_;
-  std::size_t crossed_count_ = 0;      ///< how many free edges all inserted sides have crossed
+  std::size_t crossed_count_ = 0;      ///< how many free edges insert_side() has crossed
   std::vector<mesh::Vertex> touched_;  ///< the vertices of the removed item; there may be no reason for them any more
   NewWalls new_walls_;
   Outline outline_;  ///< of the item that the operation inserts or removes

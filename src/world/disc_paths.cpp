@@ -162,15 +162,22 @@ void step_distances(detail::DiscSearch& disc, std::size_t limit, Path& path) {
   begin_shortest(disc, &disc.guide.distances());
 }
 
+/// If a path of `ta` is shorter than the string by a smaller share of its length than this, the rounding of its pieces
+/// can make it longer than the string.
+constexpr double kLeastGain = 0x1p-40;
+
 /// Continues the stage `shortest`, until the search or its budget ends or `path.expansions` reaches `limit`. If the
-/// search finds a path that is shorter than the string, writes its pieces.
+/// search finds a path that is shorter than the string, writes its pieces. With `ta`, the string is in `path` already:
+/// the path must then be surely shorter, so that a larger budget never gives a longer path.
 void step_shortest(detail::DiscSearch& disc, std::size_t limit, Path& path) {
   if (ends_by_budget(disc, limit, path)) return;
   if (!disc.shortest.step(limit, path.expansions)) {
     path.lower_bound = std::max(path.lower_bound, std::min(path.length, disc.shortest.least_bound()));
     return;
   }
-  if (disc.shortest.is_found() && disc.shortest.length() < disc.length) {
+  const bool has_string_in_path = path.status == PathStatus::found;
+  const double most = has_string_in_path ? disc.length * (1.0 - kLeastGain) : disc.length;
+  if (disc.shortest.is_found() && disc.shortest.length() < most) {
     disc.shortest.write_path(disc.pieces);
     disc.length = disc.shortest.length();
   }
