@@ -245,9 +245,9 @@ void ConstrainedTriangulation<Geometry>::insert_sides(const Batch& batch, std::s
   while (done < sides.size() && !watch.is_costly()) {
     if (!insert(sides[done])) return;
   }
-  std::vector<std::uint32_t> order;
-  append_scattered(static_cast<std::uint32_t>(done), static_cast<std::uint32_t>(sides.size()), true, order);
-  for (const std::uint32_t i : order) {
+  order_.clear();
+  append_scattered(static_cast<std::uint32_t>(done), static_cast<std::uint32_t>(sides.size()), true, order_);
+  for (const std::uint32_t i : order_) {
     if (!insert(sides[i])) return;
   }
 }

@@ -12,25 +12,26 @@
 // The order in which an operation inserts or removes many vertices. Along a ring, each vertex is near the previous one,
 // which saves time. But if the ring runs beside another wall, the insertion of the next vertex can replace half of the
 // edges of the previous vertex, and then the time is quadratic. In random order, the expected number of edges of the
-// next vertex is at most the mean of all vertices.
+// next vertex is at most the mean of all vertices. The same is true of the sides of a batch and of the edges that they
+// cross.
 
 namespace waywright::constraint {
 
-/// Adds up the costs of the vertices that an operation has handled so far. The cost of a vertex is a number of edges.
+/// Adds up the costs of the vertices or sides that an operation has handled so far. A cost is a number of edges.
 class CostWatch {
  public:
-  /// `per_vertex` is the largest mean cost of a vertex that the operation accepts: a few times the usual cost.
-  explicit CostWatch(std::size_t per_vertex) : per_vertex_(per_vertex) {}
+  /// `most` is the largest mean cost that the operation accepts: a few times the usual cost.
+  explicit CostWatch(std::size_t most) : most_(most) {}
 
   void add(std::size_t cost) {
     cost_ += cost;
-    allowed_ += per_vertex_;
+    allowed_ += most_;
   }
-  /// Whether the mean cost of a vertex is high: the operation then handles the other vertices in scattered order.
+  /// Whether the mean cost is high: the operation then handles the rest in scattered order.
   [[nodiscard]] bool is_costly() const { return cost_ > allowed_; }
 
  private:
-  std::size_t per_vertex_;
+  std::size_t most_;
   std::size_t cost_ = 0;
   std::size_t allowed_ = 512;
 };

@@ -153,12 +153,13 @@ void DiscOptimal::follow(Window window) {
     const Point apex = map_->position(mesh.apex(window.entry));
     HalfEdge exit = mesh::kNoHalfEdge;
     if (const double from_left = orientation(root, window.left, apex); from_left >= 0.0) {
-      if (window.left.anchor == mesh.origin(window.entry)) pass_end(window, window.left, kTurnLeft, from_left);
+      if (window.left.anchor == mesh.origin(window.entry)) pass_end(window, window.left, kTurnLeft, from_left > 0.0);
       exit = mesh::next(window.entry);
       edge.left = apex;
       if (from_left == 0.0) window.left.anchor = mesh.apex(window.entry);
     } else if (const double from_right = orientation(root, window.right, apex); from_right <= 0.0) {
-      if (window.right.anchor == mesh.target(window.entry)) pass_end(window, window.right, kTurnRight, from_right);
+      if (window.right.anchor == mesh.target(window.entry))
+        pass_end(window, window.right, kTurnRight, from_right < 0.0);
       exit = mesh::previous(window.entry);
       edge.right = apex;
       if (from_right == 0.0) window.right.anchor = mesh.apex(window.entry);
@@ -198,15 +199,15 @@ bool DiscOptimal::divide(Window& window, Edge& edge, const Point& apex) {
   return goes_left || goes_right;
 }
 
-/// The ray passes through the end of the window's edge, and the apex does not lie between the rays. `side` is the
-/// orientation() of the apex. Adds a turn node for the end of the edge.
+/// The ray passes through the end of the window's edge, and the apex does not lie between the rays. Adds a turn node
+/// for the end of the edge, as note_turn() does.
 ///
 /// If a path turns at its root in the direction `turn`, the lines from the root to all vertices on this ray are one
 /// line. A path that touches a later vertex on the ray also touches the first one. So the search adds a turn node for
 /// the first vertex alone, and the windows of the new root see the next one. Without this rule, n vertices on a line
 /// would have n^2 turn nodes.
-void DiscOptimal::pass_end(const Window& window, Ray& ray, int turn, double side) {
-  if (!ray.has_turn && note_turn(window, turn, side != 0.0)) ray.has_turn = roots_[window.root].end.pivot.turn == turn;
+void DiscOptimal::pass_end(const Window& window, Ray& ray, int turn, bool sees_apex) {
+  if (!ray.has_turn && note_turn(window, turn, sees_apex)) ray.has_turn = roots_[window.root].end.pivot.turn == turn;
 }
 
 /// Adds a turn node for an end of the window's edge: the left end if `turn` is kTurnLeft, the right end if it is

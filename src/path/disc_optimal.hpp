@@ -163,7 +163,7 @@ class DiscOptimal {
   void follow(Window window);
   [[nodiscard]] bool divide(Window& window, Edge& edge, const Point& apex);
   bool note_turn(const Window& window, int turn, bool sees_apex);
-  void pass_end(const Window& window, Ray& ray, int turn, double side);
+  void pass_end(const Window& window, Ray& ray, int turn, bool sees_apex);
   void push_turn(std::uint32_t root, mesh::HalfEdge corner, int turn, const Tangent& line, std::uint32_t earlier);
   [[nodiscard]] bool is_same_chain(std::uint32_t a, std::uint32_t b) const;
   /// Adds a turn node for the goal if the goal lies between the two rays of the window.

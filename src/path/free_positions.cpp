@@ -31,10 +31,12 @@ constexpr std::size_t kRounds = 32;
 /// How often nearest_on_ray() halves the distance between a free and a blocked position.
 constexpr int kHalvings = 6;
 
-/// Returns `value` and the two coordinates next to it, ascending. If `value` is too small for a coordinate, the
-/// function takes 0 instead of it.
+/// Returns the value, or 0 if it is too small for a coordinate.
+double coordinate(double value) { return std::abs(value) < kSmallestCoordinate ? 0.0 : value; }
+
+/// Returns coordinate(value) and the two coordinates next to it, ascending.
 std::array<double, 3> neighbours(double value) {
-  if (std::abs(value) < kSmallestCoordinate) value = 0.0;
+  value = coordinate(value);
   return {exact::next_coordinate<double>(value, -1.0), value, exact::next_coordinate<double>(value, 1.0)};
 }
 
@@ -80,7 +82,7 @@ void FreePositions::flood(const locate::Located& location, double limit, const C
   }
 }
 
-/// Looks at the face beyond `h`. The face of `h` is not open, or it lies in a gap that is too narrow for a point.
+/// Looks at the face beyond `h`. The face of `h` is not open, or the search has reached it across a refused edge.
 void FreePositions::visit(HalfEdge h, const Connection& connection) {
   const HalfEdge beyond = triangulation_->topology().twin(h);
   if (triangulation_->triangulation().is_ghost_face(beyond)) return;
@@ -175,7 +177,7 @@ void FreePositions::look_in_wedge(HalfEdge h, const Point& position, double limi
 
 /// Returns a vector of length 1 that points into the wedge of open faces beyond the wall `h`, between this wall and the
 /// next one around its target (`is_at_target`) or its origin. Returns nothing if the rounded coordinates of two
-/// vertices are equal.
+/// vertices are equal, or if rounding errors hide the direction.
 std::optional<Point> FreePositions::wedge_direction(HalfEdge h, bool is_at_target) const {
   const mesh::TriangleMesh& mesh = triangulation_->topology();
   const exact::Geometry& geometry = triangulation_->triangulation().geometry();
@@ -186,21 +188,15 @@ std::optional<Point> FreePositions::wedge_direction(HalfEdge h, bool is_at_targe
     last = is_at_target ? mesh.next_around(last) : mesh.previous_around(last);
   } while (last != first && nav::PointAgent::can_cross(mesh, last));
   const Point& vertex = geometry.rounded(number(mesh.origin(first)));
-  const auto unit_towards_target = [&](HalfEdge spoke) {
-    const Point& target = geometry.rounded(number(mesh.target(spoke)));
-    const double size = distance(vertex, target);
-    return size > 0.0 ? std::optional<Point>({(target.x - vertex.x) / size, (target.y - vertex.y) / size})
-                      : std::nullopt;
-  };
-  const auto from = unit_towards_target(first);
-  const auto to = unit_towards_target(last);
-  if (!from || !to) return std::nullopt;
+  const Point from = geometry.rounded(number(mesh.target(first))) - vertex;
+  const Point to = geometry.rounded(number(mesh.target(last))) - vertex;
+  if (squared_length(from) == 0.0 || squared_length(to) == 0.0) return std::nullopt;
   const double side = is_at_target ? 1.0 : -1.0;
-  const bool is_narrow = side * (from->x * to->y - from->y * to->x) > 0.0;
-  const Point middle = is_narrow ? Point{from->x + to->x, from->y + to->y} : Point{-side * from->y, side * from->x};
-  const double size = distance({0.0, 0.0}, middle);
-  if (size == 0.0) return std::nullopt;
-  return Point{middle.x / size, middle.y / size};
+  const bool is_narrow = side * cross(from, to) > 0.0;
+  const Point middle =
+      is_narrow ? from * (1.0 / length(from)) + to * (1.0 / length(to)) : Point{-side * from.y, side * from.x};
+  if (squared_length(middle) == 0.0) return std::nullopt;
+  return middle * (1.0 / length(middle));
 }
 
 /// Returns a free point on a ray, rounded, that is about as near to the apex as possible. Returns nothing if it finds
@@ -208,7 +204,6 @@ std::optional<Point> FreePositions::wedge_direction(HalfEdge h, bool is_at_targe
 std::optional<Point> FreePositions::nearest_on_ray(const Point& apex, const Point& direction, double limit,
                                                    const Connection& connection) {
   const auto at = [&](double length) {
-    const auto coordinate = [](double value) { return std::abs(value) < kSmallestCoordinate ? 0.0 : value; };
     return Point{coordinate(apex.x + length * direction.x), coordinate(apex.y + length * direction.y)};
   };
   const double unit = 0x1p-53 * std::max({std::abs(apex.x), std::abs(apex.y), kSmallestCoordinate});
@@ -250,9 +245,7 @@ std::optional<Point> FreePositions::round_to_free(const Point& rounded, const Co
 }
 
 bool FreePositions::is_in_domain(const Point& point) const {
-  const Box& domain = triangulation_->domain();
-  return point.x >= domain.min.x && point.x <= domain.max.x && point.y >= domain.min.y && point.y <= domain.max.y &&
-         is_in_range(point);
+  return triangulation_->domain().contains(point) && is_in_range(point);
 }
 
 bool FreePositions::is_free(const Point& point, const Connection& connection) {

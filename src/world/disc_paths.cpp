@@ -33,6 +33,10 @@ constexpr std::size_t kSlice = 64;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// If a path of `ta` is shorter than the string by a smaller share of its length than this, the rounding of its pieces
+/// can make it longer than the string.
+constexpr double kLeastGain = 0x1p-40;
+
 /// Appends a straight line, and the arc after it, to the answer. `next` is where the arc ends. Leaves out a line
 /// without length, and an arc that turns by less than a double can express.
 void append(const path::DiscPiece& piece, double radius, const Point& next, std::vector<PathPiece>& pieces) {
@@ -161,10 +165,6 @@ void step_distances(detail::DiscSearch& disc, std::size_t limit, Path& path) {
   if (ends_by_budget(disc, limit, path) || !disc.guide.step(limit, path.expansions)) return;
   begin_shortest(disc, &disc.guide.distances());
 }
-
-/// If a path of `ta` is shorter than the string by a smaller share of its length than this, the rounding of its pieces
-/// can make it longer than the string.
-constexpr double kLeastGain = 0x1p-40;
 
 /// Continues the stage `shortest`, until the search or its budget ends or `path.expansions` reaches `limit`. If the
 /// search finds a path that is shorter than the string, writes its pieces. With `ta`, the string is in `path` already:
