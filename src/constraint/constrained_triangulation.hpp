@@ -204,7 +204,7 @@ class ConstrainedTriangulation {
   /// Sets the corners of an item, which are in `outline_`, and its sides, and adds its hash.
   void end_item(std::uint32_t item);
   /// Updates the records after the insertion of a corner: makes room for the list of the vertex and, if the vertex has
-  /// split a fixed edge, copies the list of this edge. Returns the vertex.
+  /// split a fixed edge, calls record_split(). Returns the vertex.
   mesh::Vertex insert_vertex(const typename Triangulation::Inserted& inserted);
   void insert_side(std::uint32_t slot);
   /// The first step of a side, from its corner `u`.
@@ -226,7 +226,8 @@ class ConstrainedTriangulation {
   [[nodiscard]] std::optional<std::uint32_t> side_beyond(mesh::HalfEdge along) const;
   /// Makes the piece from `u` to the step's vertex an edge that `side` uses. Returns its half-edge from `u`.
   mesh::HalfEdge add_piece(mesh::Vertex u, const Step& step, std::uint32_t side);
-  void split_uses(mesh::HalfEdge half);
+  /// Updates the records after a new vertex has split a fixed edge. `half` starts at this vertex.
+  void record_split(mesh::HalfEdge half);
   void remove_side(std::uint32_t slot);
   void remove_corner_use(mesh::Vertex v, std::uint32_t item);
   void remove_unneeded();

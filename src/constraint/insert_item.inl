@@ -70,7 +70,7 @@ void ConstrainedTriangulation<Geometry>::insert_late_corners(std::uint32_t slot)
 
 template <class Geometry>
 mesh::Vertex ConstrainedTriangulation<Geometry>::insert_vertex(const typename Triangulation::Inserted& inserted) {
-  if (inserted.split != mesh::kNoHalfEdge) split_uses(inserted.split);
+  if (inserted.split != mesh::kNoHalfEdge) record_split(inserted.split);
   grow_corner_uses();
   budget_.add(inserted.is_new ? 1 : 0);
   return inserted.vertex;
@@ -271,15 +271,18 @@ mesh::Vertex ConstrainedTriangulation<Geometry>::cut(mesh::HalfEdge fixed, const
   const mesh::Vertex x = triangulation_.insert_crossing(fixed, side.from, side.to, other.from, other.to);
   grow_corner_uses();
   budget_.add(1);
-  split_uses(topology().find(x, end));
+  record_split(topology().find(x, end));
   return x;
 }
 
 // After an edge is split, the labels of both halves refer to the same list of sides. This function gives one half a
-// list of its own.
+// list of its own. The two halves are the only fixed edges at the new vertex.
 template <class Geometry>
-void ConstrainedTriangulation<Geometry>::split_uses(mesh::HalfEdge half) {
+void ConstrainedTriangulation<Geometry>::record_split(mesh::HalfEdge half) {
   triangulation_.fix(half, uses_.copy(topology().label(half)));
+  mesh::HalfEdge other_half = topology().next_around(half);
+  while (!topology().is_fixed(other_half)) other_half = topology().next_around(other_half);
+  new_walls_.split(topology().target(half), topology().target(other_half));
 }
 
 }  // namespace waywright::constraint

@@ -10,7 +10,8 @@ namespace waywright::constraint {
 
 /// Says whether the fixed edges that an operation makes may divide a region into two. The new edges form connected
 /// sets. They divide nothing if each of these sets is a tree that shares at most one vertex with older fixed edges: a
-/// connected region stays connected if such a tree is cut out of it.
+/// connected region stays connected if such a tree is cut out of it. If a new vertex splits a new edge, the halves of
+/// the edge are new, too. Then the answer is always true, because most walls that end at such a vertex close a circle.
 ///
 /// The answer may be true for edges that divide nothing, for example for many edges. It is never false for edges that
 /// divide a region.
@@ -35,6 +36,13 @@ class NewWalls {
       connect(ends_[i].set, ends_[k].set);
     }
   }
+  /// Call it when a new vertex has split the fixed edge u - w. Cost: O(1).
+  void split(mesh::Vertex u, mesh::Vertex w) {
+    if (may_divide_) return;
+    const std::size_t i = find(u);
+    const std::size_t k = find(w);
+    may_divide_ = i < count_ && k < count_ && ends_[i].set == ends_[k].set;
+  }
   [[nodiscard]] bool may_divide() const { return may_divide_; }
 
  private:
@@ -46,12 +54,16 @@ class NewWalls {
     bool is_attached;   ///< whether an older fixed edge may meet the set; valid only in the entry with the index `set`
   };
 
+  /// The index of `v` in `ends_`, or `count_` if it is not there.
+  [[nodiscard]] std::size_t find(mesh::Vertex v) const {
+    std::size_t i = 0;
+    while (i < count_ && ends_[i].vertex != v) ++i;
+    return i;
+  }
+
   /// The index of `v` in `ends_`, or kMostVertices if there are too many vertices.
   std::size_t find_or_add(const mesh::TriangleMesh& mesh, mesh::Vertex v) {
-    for (std::size_t i = 0; i < count_; ++i) {
-      if (ends_[i].vertex == v) return i;
-    }
-    if (count_ == kMostVertices) return kMostVertices;
+    if (const std::size_t i = find(v); i < count_ || count_ == kMostVertices) return i;
     ends_[count_] = {v, static_cast<std::uint32_t>(count_), may_have_fixed_edge(mesh, v)};
     return count_++;
   }

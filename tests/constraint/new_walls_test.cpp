@@ -29,13 +29,14 @@ class NewWalls : public ::testing::Test {
     mesh_.remove(live_[index]);
     live_.erase(live_.begin() + static_cast<std::ptrdiff_t>(index));
   }
-  /// Inserts the shape as an operation. Returns what the triangulation says at its end.
-  bool may_divide(const Shape& shape) {
+  /// Inserts the shapes as one operation. Returns what the triangulation says at its end.
+  bool may_divide(const std::vector<Shape>& shapes) {
     ExactTriangulation::UndoGuard operation(mesh_);
-    insert(shape);
+    for (const Shape& shape : shapes) insert(shape);
     operation.commit();
     return mesh_.may_have_divided();
   }
+  bool may_divide(const Shape& shape) { return may_divide(std::vector{shape}); }
 
   /// The number of the region of each sample. The samples lie in the cells of the lattice, off its lines and diagonals.
   [[nodiscard]] std::vector<std::size_t> regions() const {
@@ -101,6 +102,17 @@ TEST_F(NewWalls, AClosedWallMayDivide) {
   EXPECT_TRUE(may_divide(Shape::polyline({{4, 4}, {5, 4}, {5, 5}, {4, 4}})));
 }
 
+TEST_F(NewWalls, AWallThatCrossesItselfMayDivide) {
+  EXPECT_TRUE(may_divide(Shape::polyline({{1, 1}, {5, 1}, {5, 5}, {2, 0.5}})));
+}
+
+TEST_F(NewWalls, NewWallsThatMeetTwiceMayDivide) {
+  // They share a corner and cross.
+  EXPECT_TRUE(may_divide({Shape::segment({1, 1}, {5, 1}), Shape::polyline({{1, 1}, {2, 3}, {4, 0.5}})}));
+  // They share a corner, and another corner of the second one lies on the first one.
+  EXPECT_TRUE(may_divide({Shape::segment({1, 6}, {5, 6}), Shape::polyline({{3, 6}, {2, 7}, {1, 6}})}));
+}
+
 TEST_F(NewWalls, AWallBetweenTwoWallsMayDivide) {
   EXPECT_FALSE(may_divide(Shape::segment({2, 1}, {2, 7})));
   EXPECT_FALSE(may_divide(Shape::segment({5, 1}, {5, 7})));
@@ -116,7 +128,7 @@ TEST_F(NewWalls, AnExistingEdgeIsNoNewWall) {
 TEST_F(NewWalls, RandomWallsThatDivideAreNeverMissed) {
   std::size_t divided = 0;
   std::size_t told_apart = 0;
-  for (std::uint64_t seed = 0; seed < case_count(); ++seed) {
+  for (std::uint64_t seed = 0; seed < 4 * case_count(); ++seed) {
     Random random(seed);
     const auto coordinate = [&] {
       return static_cast<double>(random.below(static_cast<std::size_t>(kDomainSize) + 1));
@@ -124,12 +136,12 @@ TEST_F(NewWalls, RandomWallsThatDivideAreNeverMissed) {
     const auto corner = [&] { return Point{coordinate(), coordinate()}; };
     mesh_ = ExactTriangulation{{{0, 0}, {kDomainSize, kDomainSize}}};
     live_.clear();
-    for (int step = 0; step < 20; ++step) {
+    for (int step = 0; step < 5; ++step) {
       const std::vector<std::size_t> before = regions();
       ExactTriangulation::UndoGuard operation(mesh_);
       for (std::size_t i = 0; i <= random.below(3); ++i) {
         if (!live_.empty() && random.chance(30)) remove(random.below(live_.size()));
-        std::vector<Point> corners(2 + random.below(3));
+        std::vector<Point> corners(2 + random.below(4));
         for (Point& p : corners) p = corner();
         insert(random.chance(15) ? Shape::polygon(corners) : Shape::polyline(corners));
       }

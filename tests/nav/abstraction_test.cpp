@@ -247,6 +247,17 @@ TEST(Abstraction, WallsDivideAComponentAndTheirRemovalConnectsIt) {
   EXPECT_EQ(fault_of(reduced), std::nullopt);
 }
 
+TEST(Abstraction, AWallThatCrossesItselfDividesAComponent) {
+  Reduced reduced(kTen);
+  for (int x = 1; x < 10; ++x) {
+    for (int y = 1; y < 10; ++y) reduced.insert({ItemKind::point, {{{1.0 * x, 1.0 * y}}}});
+  }
+  reduced.insert({ItemKind::polyline, {{{1.5, 1.5}, {7.5, 1.5}, {7.5, 7.5}, {3.5, 0.5}}}});
+  const nav::Components& components = reduced.abstraction().components();
+  EXPECT_NE(components.component_of(reduced.face_at({6.5, 3.2})), components.component_of(reduced.face_at({1.5, 8.2})));
+  EXPECT_EQ(fault_of(reduced), std::nullopt);
+}
+
 TEST(Abstraction, SolidsInSolidsAreCoveredByAll) {
   Reduced reduced(kTen);
   const ItemId inner = reduced.insert(rectangle(4, 4, 6, 6));
