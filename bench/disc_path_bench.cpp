@@ -28,7 +28,8 @@ struct Map {
   const char* map;
   const char* queries;
 };
-constexpr std::array<Map, 3> kMaps = {{
+constexpr std::array<Map, 4> kMaps = {{
+    {"arena", "grid/dao/arena.map", "grid/anyangle/arena.anyangle.scen"},
     {"brc202d", "grid/dao/brc202d.map", "grid/anyangle/brc202d.anyangle.scen"},
     {"Aurora", "grid/sc1/Aurora.map", "grid/anyangle/Aurora.anyangle.scen"},
     {"AR0500SR", "grid/bgmaps/AR0500SR.map", "grid/anyangle/AR0500SR.anyangle.scen"},

@@ -149,8 +149,9 @@ void try_once(const MovedRectangle& rectangle, Wrong& wrong) {
 
 void print_in_circle_table(std::size_t trials) {
   std::printf(
-      "| moved by | double, of the rationals | double, of the doubles | interval + exact, of the rationals | "
-      "Waywright, of the rationals | Waywright, of the doubles |\n"
+      "| moved by | double, wrong for the fractions | double, wrong for the doubles | "
+      "interval + exact, wrong for the fractions | Waywright, wrong for the fractions | "
+      "Waywright, wrong for the doubles |\n"
       "| --- | ---: | ---: | ---: | ---: | ---: |\n");
   const auto percent = [&](std::size_t count) {
     return 100.0 * static_cast<double>(count) / static_cast<double>(trials);

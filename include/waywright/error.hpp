@@ -110,8 +110,8 @@ struct Error {
   ErrorCode code = ErrorCode::malformed;
   detail::ErrorWords words;  ///< the data of message(); if you make an Error yourself, set it to a string
   ItemId item;               ///< the id that caused the error, or null
-  /// The index of the refused element in its list (from 0), or a line number (from 1). World::rewind sets it to the
-  /// tick, and load_world sets it to a number of bytes.
+  /// The index of the refused element in its list (from 0); for a query with two ends, 0 for the first and 1 for the
+  /// second; or a line number (from 1). World::rewind sets it to the tick, and load_world to a number of bytes.
   std::uint64_t index = 0;
 
   /// Returns the error in words, for a person: `the goal, (7, 12), lies outside the domain, (0, 0) to (10, 10)`.

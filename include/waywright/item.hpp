@@ -99,7 +99,7 @@ struct Shape {
 /// it by its fill rule. For a polygon without area and for the other kinds, it is the mean of the points. If rings
 /// cross each other or themselves, the result is an approximation.
 /// Requires: the shape has a point.
-/// Cost: linear in the points of the shape.
+/// Cost: linear in the points of the shape; for a polygon, the number of rings times the number of points.
 /// Source: Bourke, *Calculating the area and centroid of a polygon*, 1988.
 [[nodiscard]] WAYWRIGHT_API Point centroid(const Shape& shape);
 

@@ -142,12 +142,15 @@ struct PathPiece {
   enum class Kind : std::uint8_t { line, arc };
 
   Kind kind = Kind::line;
-  Point from;                ///< where the piece starts
-  Point to;                  ///< where it ends: the next piece starts there
-  Point centre;              ///< of an arc: the centre of its circle, a corner of an item or of the domain
-  double radius = 0.0;       ///< of an arc: the radius of the agent
-  double start_angle = 0.0;  ///< of an arc: the angle from the centre to `from`, in radians
-  double end_angle = 0.0;    ///< of an arc: larger than `start_angle` if the arc turns left, otherwise smaller
+  Point from;           ///< where the piece starts
+  Point to;             ///< where it ends: the next piece starts there
+  Point centre;         ///< of an arc: the centre of its circle, a corner of an item or of the domain
+  double radius = 0.0;  ///< of an arc: the radius of the agent
+  /// Of an arc: the direction from the centre to `from`, in radians from the direction of x, counter-clockwise, from
+  /// -pi to pi.
+  double start_angle = 0.0;
+  /// Of an arc: `start_angle` plus the angle of the turn if the arc turns left, minus this angle if it turns right.
+  double end_angle = 0.0;
 
   friend bool operator==(const PathPiece&, const PathPiece&) = default;
 };

@@ -15,7 +15,7 @@ struct QueryScratch;
 /// The memory that queries keep between calls. Most queries of World have two forms. One form returns its answer in a
 /// new object. The other form takes a QueryContext of yours and writes the answer to an object of yours. Make one
 /// context for each thread, and pass it to each query of this thread. A query allocates no memory if you have used its
-/// context for a query of the same size before.
+/// context for a query of the same size before. The comments of the queries name a few exceptions.
 ///
 /// @code{.cpp}
 /// // `context` and `path` exist as long as the thread's work.

@@ -41,8 +41,9 @@ class WAYWRIGHT_API ReplayWriter {
  public:
   /// Starts a log: writes the domain and the items that `world` contains now. Writes a hash at each tick whose number
   /// is a multiple of `ticks_per_hash`. The stream must exist as long as this object.
+  /// If the stream refuses the bytes, the next call of record() or tick() returns unwritable.
   /// Requires: `ticks_per_hash` is 1 or more.
-  /// Cost: linear in the items of the world.
+  /// Cost: O(n log n) in the number n of items of the world, and linear in their points.
   ReplayWriter(std::ostream& out, const World& world, std::uint64_t ticks_per_hash = 1);
 
   /// Records a change that a world has made. The id of the change must not be null: if the world chose the id of an
@@ -51,6 +52,7 @@ class WAYWRIGHT_API ReplayWriter {
   /// Cost: linear in the points of the shape.
   Result<void> record(const Change& change);
   /// Records the changes that World::apply has made. `ids` is the answer of that call.
+  /// Requires: `ids` has one id for each change.
   /// Errors: bad_id, if an id is null or too large; unwritable.
   /// Cost: linear in the points of the shapes.
   Result<void> record(std::span<const Change> changes, std::span<const ItemId> ids);

@@ -162,7 +162,8 @@ struct SvgOverlay {
 class WAYWRIGHT_API SvgFrame {
  public:
   /// Makes the transform of a picture that shows the box `shown`. In the picture, the upper left corner of this box is
-  /// at the pixel `corner`, and a unit of length is `scale` pixels long.
+  /// at the pixel `corner`, and a unit of length is `scale` pixels long. If `y_down` is true, the y axis of the world
+  /// points down in the picture, otherwise up.
   SvgFrame(const Box& shown, Point corner, double scale, bool y_down);
 
   /// Returns the position of a point of the world in the picture, in pixels.

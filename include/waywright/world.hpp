@@ -100,10 +100,10 @@ class WAYWRIGHT_API World {
   /// Returns the id. If the function refuses a point, Error::index is the index of this point in the shape, counted
   /// from 0 over all rings.
   /// Errors: coordinate_range, out_of_domain, id_in_use, bad_id, bad_shape, too_large, too_many_vertices.
-  /// Cost: for each point, its location; for each side, the triangles that it crosses; the triangles that change; and
-  /// O(log k) for each vertex and each edge that it shares with k other items. With the abstraction, also: the
+  /// Cost: for each point, its point location; for each side, the triangles that it crosses; the triangles that change;
+  /// and O(log k) for each vertex and each edge that it shares with k other items. With the abstraction, also: the
   /// triangles inside a polygon, except those inside smaller polygons in it; if walls divide an area, the triangles of
-  /// the smaller piece. Source: Chen 2009, sections 3.2 (vertices), 3.3 (constraints), 3.5 (polygons).
+  /// the smaller piece. With bridges, also the bridges that change. Source: Chen 2009, sections 3.2, 3.3 and 3.5.
   Result<ItemId> insert(const Shape& shape, ItemId id = {});
 
   /// Inserts a point, as insert() does: a vertex that stays as long as the item is live. It is not a wall.
@@ -115,7 +115,7 @@ class WAYWRIGHT_API World {
   /// Inserts a solid obstacle of one or more closed rings, as insert() does:
   /// `world.insert_polygon({{2, 2}, {4, 2}, {4, 4}})`. The side from the last point of a ring to its first point
   /// belongs to the ring, so you need not repeat the first point. The fill rule is FillRule::even_odd: a ring in a ring
-  /// is a hole.
+  /// bounds a hole.
   Result<ItemId> insert_polygon(Rings rings, ItemId id = {});
 
   /// Removes an item. The resulting mesh has exactly the vertices, edges and faces that the mesh of a new world with
@@ -239,10 +239,10 @@ class WAYWRIGHT_API World {
   /// Errors: the errors of apply(); coordinate_range, out_of_domain, bad_radius; not_supported, if the radius is 0 and
   /// the world does not keep its abstraction; no_bridges, if the radius is above 0 and the world does not keep its
   /// bridges.
-  /// Cost: the cost of attempt() and the location of each point, twice. With a radius above 0, also the gaps that the
-  /// disc can pass, for each area in which a point lies.
+  /// Cost: the cost of attempt() and the point location of each point, twice. With a radius above 0, also the gaps that
+  /// the disc can pass, for each area in which a point lies.
   [[nodiscard]] Result<bool> would_disconnect(std::span<const Change> changes, PointSpan points, double radius = 0.0);
-  /// Does the same for the insertion of one shape.
+  /// Does the same for one change: the insertion of a shape.
   [[nodiscard]] Result<bool> would_disconnect(const Shape& shape, PointSpan points, double radius = 0.0);
 
   /// @}
@@ -254,9 +254,9 @@ class WAYWRIGHT_API World {
   /// Returns an immutable world with the current state of this world. Other threads can query it while this world
   /// changes. WorldSnapshot describes the replicas. If memory runs out, nothing changes.
   /// Requires: no question of attempt() is running on this world.
-  /// Cost: for each item that has changed since a replica without readers was last equal to this world, at most one
-  /// removal and one insertion, however often the item has changed. If readers hold all replicas, or if more items have
-  /// changed than 64 plus a 32nd of all items: the cost of clone().
+  /// Cost: the function takes the newest replica that no reader holds. For each item that has changed since this
+  /// replica was last equal to the world, it makes at most one removal and one insertion. If readers hold all replicas,
+  /// or if more items have changed than 64 plus a 32nd of all items, it costs as much as clone().
   [[nodiscard]] WorldSnapshot publish();
 
   /// @}
@@ -344,7 +344,7 @@ class WAYWRIGHT_API World {
   /// `to`. If the segment runs along a side, CrossedItem::at is the point where the overlap starts. Items at the same
   /// position ascend by id.
   /// Errors: coordinate_range, out_of_domain.
-  /// Cost: the location of `from`, and the triangles that the segment crosses.
+  /// Cost: the point location of `from`, and the triangles that the segment crosses.
   [[nodiscard]] Result<void> items_crossed(Point from, Point to, QueryContext& context,
                                            std::vector<CrossedItem>& items) const;
   /// @copydoc items_crossed(Point, Point, QueryContext&, std::vector<CrossedItem>&) const
@@ -353,14 +353,14 @@ class WAYWRIGHT_API World {
   /// segment that starts on a wall touches this wall. The decision is exact, even if several walls meet at the
   /// position, or if the segment passes through the end of a wall.
   /// Errors: coordinate_range, out_of_domain.
-  /// Cost: the location of `from`, and the triangles that the segment crosses before the hit. Allocates nothing if
-  /// `hit` has been used before.
+  /// Cost: the point location of `from`, and the triangles that the segment crosses before the hit. Allocates nothing
+  /// if `hit` has been used before.
   [[nodiscard]] Result<void> ray(Point from, Point to, RayHit& hit) const;
   /// @copydoc ray(Point, Point, RayHit&) const
   [[nodiscard]] Result<RayHit> ray(Point from, Point to) const;
   /// Finds the items that have a position in common with a closed box. Ids ascend. The box may reach beyond the domain.
   /// Errors: coordinate_range; bad_domain, if min is beyond max.
-  /// Cost: the location of a corner, and the triangles that meet the box.
+  /// Cost: the point location of a corner of the box, and the triangles that meet the box.
   [[nodiscard]] Result<void> items_in(const Box& box, QueryContext& context, std::vector<ItemId>& items) const;
   /// @copydoc items_in(const Box&, QueryContext&, std::vector<ItemId>&) const
   [[nodiscard]] Result<std::vector<ItemId>> items_in(const Box& box) const;
@@ -377,8 +377,8 @@ class WAYWRIGHT_API World {
   /// edge is nearer to it than the radius. If the disc does not fit, DiscFit::items says why. The decision is exact.
   /// With the radius 0, only polygons can stop the disc.
   /// Errors: coordinate_range, out_of_domain, bad_radius.
-  /// Cost: the location of the centre, and the triangles within the radius. Allocates nothing if `context` and `fit`
-  /// have been used before.
+  /// Cost: the point location of the centre, and the triangles within the radius. Allocates nothing if `context` and
+  /// `fit` have been used before.
   [[nodiscard]] Result<void> fit_disc(Point centre, double radius, QueryContext& context, DiscFit& fit) const;
   /// @copydoc fit_disc(Point, double, QueryContext&, DiscFit&) const
   [[nodiscard]] Result<DiscFit> fit_disc(Point centre, double radius) const;
@@ -388,9 +388,9 @@ class WAYWRIGHT_API World {
   /// several walls at once, or passes a wall at a distance of exactly the radius. With the radius 0, the answer is the
   /// answer of ray().
   /// Errors: coordinate_range, out_of_domain, bad_radius.
-  /// Cost: the location of `from`, and n log n in the number n of triangles that the disc meets before it touches a
-  /// wall. Allocates nothing if `context` and `hit` have been used for a query of the same size before. One exception:
-  /// if the radius is no multiple of 2^-152 and doubles cannot decide, exact arithmetic allocates.
+  /// Cost: the point location of `from`, and n log n in the number n of triangles that the disc meets before it touches
+  /// a wall. Allocates nothing if `context` and `hit` have been used for a query of the same size before. One
+  /// exception: if the radius is no multiple of 2^-152 and doubles cannot decide, exact arithmetic allocates.
   [[nodiscard]] Result<void> sweep_disc(Point from, Point to, double radius, QueryContext& context, RayHit& hit) const;
   /// @copydoc sweep_disc(Point, Point, double, QueryContext&, RayHit&) const
   [[nodiscard]] Result<RayHit> sweep_disc(Point from, Point to, double radius) const;
@@ -422,9 +422,9 @@ class WAYWRIGHT_API World {
   /// Lists the bridges, so that a program can draw or inspect them. The list contains a bridge if the straight line
   /// from Bridge::from to Bridge::to has a position in common with the closed box. The box may reach beyond the domain.
   /// Errors: coordinate_range; bad_domain, if min is beyond max; no_bridges, if the world does not keep its bridges.
-  /// Cost: the location of a corner, the triangles that meet the box or that bridges through the box cross, and n log n
-  /// in the listed bridges. Allocates nothing if `context` and `list` have been used for a query of the same size
-  /// before.
+  /// Cost: the point location of a corner of the box, the triangles that meet the box or that bridges through the box
+  /// cross, and n log n in the listed bridges. Allocates nothing if `context` and `list` have been used for a query of
+  /// the same size before.
   [[nodiscard]] Result<void> bridges(const Box& box, QueryContext& context, BridgeList& list) const;
   /// @copydoc bridges(const Box&, QueryContext&, BridgeList&) const
   [[nodiscard]] Result<BridgeList> bridges(const Box& box) const;
@@ -439,13 +439,13 @@ class WAYWRIGHT_API World {
   /// Finds a path from start to goal. It may touch walls and vertices, but it never passes through a wall. At a vertex
   /// with walls, it never passes from one wedge between walls into another. PathQuery::end_tolerance says when the
   /// search moves the start and the goal. If PathQuery::radius is above 0, the disc's path is in Path::pieces.
-  ///
   /// Errors: coordinate_range, out_of_domain, bad_radius, bad_distance; not_supported, if the radius is 0, the
   /// algorithm is `tra`, and the world does not keep its abstraction; no_bridges, if the query has a radius above 0 and
   /// the world does not keep its bridges.
-  /// Cost: the location of both ends, and the triangles that the search enters (Path::expansions). Allocates nothing if
-  /// `context` and `path` have been used for a search of the same size before, except for Path::widest. If walls
-  /// separate the ends and the world keeps its abstraction, the search for a point agent enters no triangle.
+  /// Cost: the point location of both ends, and the triangles that the search enters (Path::expansions). If polygons
+  /// block an end, also the covered triangles within the tolerance. If walls separate the ends and the world keeps its
+  /// abstraction, the search for a point agent enters no triangle. Allocates nothing if `context` and `path` have been
+  /// used for a search of the same size before, except for Path::widest, a blocked end and exact arithmetic.
   /// Source: see PathAlgorithm. ARCHITECTURE.md describes the differences.
   [[nodiscard]] Result<void> find_path(const PathQuery& query, QueryContext& context, Path& path) const;
   /// @copydoc find_path(const PathQuery&, QueryContext&, Path&) const
@@ -459,7 +459,7 @@ class WAYWRIGHT_API World {
   /// Errors: the errors of find_path().
   [[nodiscard]] Result<void> find_paths(std::span<const PathQuery> queries, std::span<QueryContext> contexts,
                                         std::vector<Path>& paths, JobSystem* jobs = nullptr) const;
-  /// Finds a path for each query on `threads` threads, with new contexts, at the cost of find_path() for each.
+  /// Finds a path for each query on `threads` threads, with new contexts. Errors and costs are the same.
   /// Requires: `threads` is 1 or more.
   [[nodiscard]] Result<std::vector<Path>> find_paths(std::span<const PathQuery> queries, std::size_t threads,
                                                      JobSystem* jobs = nullptr) const;
@@ -491,13 +491,13 @@ class WAYWRIGHT_API World {
   /// result is false. Path::points says how the function treats a path that turns at a crossing of two sides.
   /// Error::index is the index of the refused point in `points`.
   /// Errors: coordinate_range, out_of_domain.
-  /// Cost: the location of the first point, and the triangles that the polyline crosses. Allocates nothing if `context`
-  /// has been used for a polyline of the same length before.
+  /// Cost: the point location of the first point, and the triangles that the polyline crosses. Allocates nothing if
+  /// `context` has been used for a polyline of the same length before.
   [[nodiscard]] Result<bool> is_clear(std::span<const Point> points, QueryContext& context) const;
   /// @copydoc is_clear(std::span<const Point>, QueryContext&) const
   [[nodiscard]] Result<bool> is_clear(std::span<const Point> points) const;
-  /// Returns whether a point agent can walk along the straight segment between two points. The same rules apply as for
-  /// polylines. A segment that only touches a wall is clear, although ray() reports a hit for it.
+  /// Returns whether a point agent can walk along the straight segment between two points, as for a polyline of two
+  /// points. A segment that only touches a wall is clear, although ray() reports a hit for it.
   [[nodiscard]] Result<bool> is_clear(const Point& from, const Point& to, QueryContext& context) const;
   /// @copydoc is_clear(const Point&, const Point&, QueryContext&) const
   [[nodiscard]] Result<bool> is_clear(const Point& from, const Point& to) const;
@@ -515,7 +515,7 @@ class WAYWRIGHT_API World {
   /// found is never affected: search again for it. Each box affects a found path without points and pieces.
   /// Cost: a few comparisons for each pair of a box and a piece. Allocates nothing.
   [[nodiscard]] bool is_affected(const Path& path, std::uint64_t since) const;
-  /// Finds the paths for which is_affected() is true. Writes their indices to `affected`, ascending.
+  /// Replaces the content of `affected` by the indices of the paths for which is_affected() is true, ascending.
   void find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const;
 
   /// Returns the regions that the operations after version `since` have changed, the oldest first: see ChangedBox.

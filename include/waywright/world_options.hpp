@@ -20,21 +20,23 @@ struct WorldOptions {
   /// Whether the world maintains the path abstraction: data that says which triangles are connected, which polygons
   /// cover them, and which triangles lie in dead ends. Without the abstraction, an operation costs less, and a world
   /// takes 10 bytes less for each vertex (up to 18 bytes less if operations have changed walls in all parts of the
-  /// world). But then many path queries enter far more triangles, and the world does not support PathAlgorithm::tra for
-  /// point agents.
+  /// world). But then many path queries enter far more triangles, each query that needs the polygons at a point takes
+  /// time that grows with the world, and the world does not support PathAlgorithm::tra for point agents.
   bool keep_abstraction = true;
   /// Whether the world maintains the bridges of its walls: the shortest connections between two walls at each gap. They
   /// say how wide the gaps are, for discs of any radius. World::widest_path and path queries with a radius above 0 need
   /// them. An operation then usually takes two to three times as long, because it also updates the bridges near its
   /// changes. A world takes about 60 bytes more for each vertex. If an item is a point or has a ring with only one
   /// corner, the world also keeps a second mesh, which contains only the walls, and each operation changes both meshes.
-  /// World::shrink_to_fit() drops the second mesh if no item needs it any more.
+  /// World::shrink_to_fit() drops the second mesh if no item needs it any more. The first such item
+  /// costs as much as a new world, because the world then makes the second mesh.
   ///
   /// There are scenes in which bridges cost far more: if n walls end on one line, or are nearly parallel, and face a
   /// large open area, each bridge across this area costs up to n steps. With a street of 1,000 short walls on one line,
   /// bridges take most of the time of a bulk load (50 ms); with 4,000 walls, the load takes 16 times as long.
   bool keep_bridges = false;
-  /// The largest number of vertices that one operation may make. World::set_new_vertex_limit changes it.
+  /// The largest number of vertices that one operation may make. World::set_new_vertex_limit changes it. World::rewind
+  /// has no limit, because the world had its vertices before.
   ///
   /// Few points can make many vertices: two polylines of n points can have n^2 crossings. So set a limit if your
   /// program takes shapes from people whom you do not know. Limit the number of points, too: sides that lie on existing

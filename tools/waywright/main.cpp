@@ -52,7 +52,7 @@ constexpr const char* kRunExamples =
     "Examples:\n"
     "  waywright run world.wws --svg world.svg                draw the final world, and the queries about it\n"
     "  waywright run world.wws --svg region.svg --crop 0 0 50 40 --theme dark\n"
-    "  waywright run world.wws --dump world.dump --check      validate after each change, write the final mesh\n"
+    "  waywright run world.wws --dump world.dump --check      validate after each line, write the final mesh\n"
     "  generate | waywright run - --strict                    read standard input, stop at the first refused line\n"
     "  waywright run world.wws --dump - | sha256sum           write only the final mesh to standard output\n"
     "\nThe command writes the files after the last line of the script. It writes each file completely or not at all.\n"
