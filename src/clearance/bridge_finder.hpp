@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -104,11 +103,7 @@ class BridgeFinder {
   [[nodiscard]] bool may_touch(const Disc& disc, const Box& box) const { return disc.may_touch(box, rounding_); }
   /// Returns false only if no changed wall touches the closed exact disc.
   [[nodiscard]] bool may_touch(const Disc& disc, const ChangedWalls& changed) const {
-    if (changed.are_all()) return true;
-    const double middle = disc.origin.x + disc.centre.x;
-    const double reach = disc.radius + 0x1p-40 * (std::abs(disc.origin.x) + disc.radius) + 8.0 * rounding_;
-    const auto boxes = changed.boxes_between(middle - reach, middle + reach);
-    return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return may_touch(disc, box); });
+    return changed.are_all() || changed.is_any([&](const Box& box) { return may_touch(disc, box); });
   }
 
   /// Returns the gap of a bridge along an edge.

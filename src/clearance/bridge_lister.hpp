@@ -23,8 +23,8 @@ class BridgeLister {
   using Triangulation = constraint::ExactTriangulation;
 
   /// Lists the bridges that have a position in common with the closed box, without those in the interior of polygons.
-  /// `cover` finds the polygons. Requires: `bridges` belongs to the triangulation. Cost: linear in the faces that meet
-  /// the box and in the bridges that cross them, n log n in the list, and a search for the first face.
+  /// `cover_finder` finds the polygons. Requires: `bridges` belongs to the triangulation. Cost: linear in the faces
+  /// that meet the box and in the bridges that cross them, n log n in the list, and a search for the first face.
   void list(const Triangulation& triangulation, const Bridges& bridges, constraint::CoverFinder& cover_finder,
             const Box& box, BridgeList& result);
 

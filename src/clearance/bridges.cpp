@@ -50,7 +50,7 @@ Bridges::Bridges(const Triangulation& triangulation) {
   };
   for_each_face([&](Face f) { note_angles(finder, f); });
   for_each_face([&](Face f) {
-    find_at_corners(triangulation, finder, f);
+    find_at_corners(finder, f);
     for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
       const HalfEdge h{i};
       if (!mesh.is_fixed(h) && h < mesh.twin(h) && may_be_bridge(h, mesh.twin(h)))
@@ -58,6 +58,7 @@ Bridges::Bridges(const Triangulation& triangulation) {
     }
     begin();  // empties the logs: no earlier state exists
   });
+  link_new_feet(triangulation);
   begin();
   shrink_to_fit();
 }
@@ -97,10 +98,12 @@ void Bridges::update(const Triangulation& triangulation, const mesh::TouchedFace
     return;
   }
   region_.begin(triangulation, touched);
+  new_feet_.clear();
   grow_to_mesh(mesh);
   BridgeFinder finder(triangulation, scratch_);
   find_in_touched(triangulation, changed, finder);
   find_beyond(triangulation, changed, finder);
+  link_new_feet(triangulation);
   guard.keep();
 }
 
@@ -135,7 +138,7 @@ void Bridges::find_in_touched(const Triangulation& triangulation, const ChangedW
   }
   for (const Face f : region_.touched().faces()) {
     if (acute_[number(f)] == kNotInDomain) continue;
-    find_at_corners(triangulation, finder, f);
+    find_at_corners(finder, f);
     for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
       const HalfEdge h{i};
       const HalfEdge twin = mesh.twin(h);
@@ -161,10 +164,10 @@ void Bridges::note_angles(const BridgeFinder& finder, Face f) {
 }
 
 /// Finds the foot bridges that start at the corners of a face. Requires: note_angles() was called for the face.
-void Bridges::find_at_corners(const Triangulation& triangulation, BridgeFinder& finder, Face f) {
+void Bridges::find_at_corners(BridgeFinder& finder, Face f) {
   for (unsigned corners = BridgeFinder::corners_with_foot(acute_[number(f)]); corners != 0; corners &= corners - 1) {
     const auto i = static_cast<std::uint32_t>(std::countr_zero(corners));
-    find_at_corner(triangulation, finder, mesh::half_edge(f, i));
+    find_at_corner(finder, mesh::half_edge(f, i));
   }
 }
 
@@ -179,7 +182,7 @@ bool Bridges::may_be_bridge(HalfEdge h, HalfEdge twin) const {
 
 void Bridges::find_beyond(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder) {
   region_.collect_beyond(changed, finder, scratch_);
-  for (const HalfEdge corner : region_.corners()) find_at_corner(triangulation, finder, corner);
+  for (const HalfEdge corner : region_.corners()) find_at_corner(finder, corner);
   for (const HalfEdge h : region_.edges()) find_at_edge(triangulation, finder, h);
 }
 
@@ -200,14 +203,14 @@ void Bridges::clear_face(Face f) {
   }
 }
 
-void Bridges::find_at_corner(const Triangulation& triangulation, BridgeFinder& finder, HalfEdge corner) {
+void Bridges::find_at_corner(BridgeFinder& finder, HalfEdge corner) {
   const HalfEdge wall = finder.find_wall(corner);
   const std::uint32_t old = foot_at(corner);
   if (old != kNone) {
     if (feet_[old].wall == wall) return;
     remove_foot(old);
   }
-  if (wall != mesh::kNoHalfEdge) insert_foot(triangulation, corner, wall);
+  if (wall != mesh::kNoHalfEdge) add_foot(corner, wall);
 }
 
 void Bridges::find_at_edge(const Triangulation& triangulation, BridgeFinder& finder, HalfEdge h) {
@@ -225,34 +228,56 @@ void Bridges::write_corner(HalfEdge h, std::uint32_t value) {
   if (corners_[number(h)] != value) corners_.write(number(h), value);
 }
 
-/// Inserts a foot bridge into the list of its wall, which is in the order of the feet.
-void Bridges::insert_foot(const Triangulation& triangulation, HalfEdge corner, HalfEdge wall) {
-  const mesh::TriangleMesh& mesh = triangulation.topology();
-  const exact::Geometry& geometry = triangulation.triangulation().geometry();
-  const auto position_of = [&](Vertex v) { return geometry.rounded(number(v)); };
-  const WallLine line = wall_line(triangulation, wall);
-  const Point here = position_of(mesh.origin(corner));
-  std::uint32_t before = kNone;
-  std::uint32_t at = first_foot_on(wall);
-  while (at != kNone &&
-         exact::dot(position_of(mesh.origin(feet_[at].corner)), here, line.from, line.to) == exact::Sign::positive) {
-    before = std::exchange(at, feet_[at].next);
+/// Makes a foot bridge. link_new_feet() inserts it into the list of its wall.
+void Bridges::add_foot(HalfEdge corner, HalfEdge wall) {
+  const Foot added{corner, wall, kNone};
+  auto foot = static_cast<std::uint32_t>(feet_.size());
+  if (free_feet_.is_empty()) {
+    feet_.append(added);
+  } else {
+    foot = free_feet_.first();
+    const std::uint32_t next_free = feet_[foot].next;
+    feet_.write(foot, added);
+    free_feet_.pop(next_free);
   }
-  const std::uint32_t foot = add_foot({corner, wall, at});
-  link(wall, before, foot);
   write_corner(corner, (foot + 1) << 1 | (corners_[number(corner)] & kIsBridge));
+  new_feet_.push_back(foot);
 }
 
-std::uint32_t Bridges::add_foot(const Foot& foot) {
-  if (free_feet_.is_empty()) {
-    feet_.append(foot);
-    return static_cast<std::uint32_t>(feet_.size() - 1);
+/// Returns whether a foot comes before another foot on the same wall.
+bool Bridges::comes_before(const Triangulation& triangulation, const Foot& foot, const Foot& other) const {
+  const exact::Geometry& geometry = triangulation.triangulation().geometry();
+  const auto start_of = [&](const Foot& of) {
+    return geometry.rounded(number(triangulation.topology().origin(of.corner)));
+  };
+  const WallLine line = wall_line(triangulation, foot.wall);
+  return exact::dot(start_of(foot), start_of(other), line.from, line.to) == exact::Sign::positive;
+}
+
+/// Inserts the new feet into the lists of their walls. These lists are in the order of the feet. The function sorts the
+/// new feet first, so it goes through each list only once.
+void Bridges::link_new_feet(const Triangulation& triangulation) {
+  std::sort(new_feet_.begin(), new_feet_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Foot& p = feet_[a];
+    const Foot& q = feet_[b];
+    return p.wall != q.wall ? p.wall < q.wall : comes_before(triangulation, p, q);
+  });
+  HalfEdge wall = mesh::kNoHalfEdge;
+  std::uint32_t before = kNone;
+  std::uint32_t at = kNone;
+  for (const std::uint32_t foot : new_feet_) {
+    const Foot added = feet_[foot];
+    if (added.wall != wall) {
+      wall = added.wall;
+      before = kNone;
+      at = first_foot_on(wall);
+    }
+    while (at != kNone && comes_before(triangulation, feet_[at], added)) before = std::exchange(at, feet_[at].next);
+    if (at != kNone) feet_.write(foot, {added.corner, wall, at});
+    link(wall, before, foot);
+    before = foot;
   }
-  const std::uint32_t i = free_feet_.first();
-  const std::uint32_t next_free = feet_[i].next;
-  feet_.write(i, foot);
-  free_feet_.pop(next_free);
-  return i;
+  new_feet_.clear();
 }
 
 void Bridges::remove_foot(std::uint32_t foot) {
@@ -307,7 +332,7 @@ void Bridges::count_memory(MemoryUse& use) const {
   walls_.count_memory(use, &MemoryUse::bridges);
   feet_.count_memory(use, &MemoryUse::bridges);
   region_.count_memory(use);
-  memory::count_spare(use, scratch_.to_enter, scratch_.to_test);
+  memory::count_spare(use, new_feet_, scratch_.to_enter, scratch_.to_test);
   use.spare += acute_.size() + scratch_.visited.size() * sizeof(std::uint32_t);
 }
 
@@ -317,6 +342,7 @@ void Bridges::shrink_to_fit() {
   walls_.shrink_to_fit();
   feet_.shrink_to_fit();
   region_.release();
+  memory::release(new_feet_);
   acute_ = {};
   scratch_ = {};
 }

@@ -46,7 +46,8 @@ class Bridges {
     std::uint32_t next;     ///< the next foot in the direction of `wall`, or kNone
   };
 
-  /// Finds all bridges. Cost: linear in the number of faces, plus the number of faces that the bridges' discs touch.
+  /// Finds all bridges. Cost: n log n in the number of faces, plus the faces that the diameters cross
+  /// (BridgeFinder::follow_diameter) and that the bridges' discs touch.
   explicit Bridges(const Triangulation& triangulation);
   /// Copies the bridges. The copy belongs to a copy of the triangulation. Requires: no update is in progress.
   Bridges(const Bridges& other)
@@ -70,7 +71,7 @@ class Bridges {
 
   /// Updates the bridges to the triangulation. Requires: the operation of the triangulation is still open, and
   /// `touched` are the faces that it has touched, and `changed` contains all walls that it has inserted or removed, and
-  /// is sorted. If memory runs out, nothing changes. Cost: depends on what changed and on the bridges near it.
+  /// its tree. If memory runs out, nothing changes. Cost: depends on what changed and on the bridges near it.
   void update(const Triangulation& triangulation, const mesh::TouchedFaces& touched, const ChangedWalls& changed);
   /// Undoes the last update(). Requires: since then, neither commit() nor roll_back() was called. Allocates nothing.
   void roll_back();
@@ -98,16 +99,17 @@ class Bridges {
   void find_in_touched(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder);
   void find_beyond(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder);
   void note_angles(const BridgeFinder& finder, mesh::Face f);
-  void find_at_corners(const Triangulation& triangulation, BridgeFinder& finder, mesh::Face f);
-  void find_at_corner(const Triangulation& triangulation, BridgeFinder& finder, mesh::HalfEdge corner);
+  void find_at_corners(BridgeFinder& finder, mesh::Face f);
+  void find_at_corner(BridgeFinder& finder, mesh::HalfEdge corner);
   void find_at_edge(const Triangulation& triangulation, BridgeFinder& finder, mesh::HalfEdge h);
   /// Returns false only if the edge of the two half-edges is no bridge. Requires: `acute_` has the angles of both
   /// faces.
   [[nodiscard]] bool may_be_bridge(mesh::HalfEdge h, mesh::HalfEdge twin) const;
   void set_bridge(mesh::HalfEdge h, bool is_bridge);
 
-  [[nodiscard]] std::uint32_t add_foot(const Foot& foot);
-  void insert_foot(const Triangulation& triangulation, mesh::HalfEdge corner, mesh::HalfEdge wall);
+  void add_foot(mesh::HalfEdge corner, mesh::HalfEdge wall);
+  [[nodiscard]] bool comes_before(const Triangulation& triangulation, const Foot& foot, const Foot& other) const;
+  void link_new_feet(const Triangulation& triangulation);
   void remove_foot(std::uint32_t foot);
   void free_foot(std::uint32_t foot);
   void link(mesh::HalfEdge wall, std::uint32_t before, std::uint32_t foot);
@@ -122,6 +124,7 @@ class Bridges {
 
   // Scratch.
   ChangedRegion region_;
+  std::vector<std::uint32_t> new_feet_;      ///< the feet that are in no list yet
   memory::ZeroedArray<std::uint8_t> acute_;  ///< by face: BridgeFinder::acute_angles()
   BridgeScratch scratch_;
 };

@@ -62,10 +62,6 @@ exact::Gap Cells::gap(const CellEdge& gate) const {
   return {from, position_of(side.from), position_of(side.to)};
 }
 
-Point Cells::position_of_foot(std::uint32_t foot) const {
-  return exact::end_of(canonical_gap({CellEdge::Kind::foot_down, bridges_.foot(foot).corner, foot}));
-}
-
 exact::Gap Cells::canonical_gap(const CellEdge& gate) const {
   const auto comes_before = [](const Point& p, const Point& q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y); };
   exact::Gap result = gap(gate);

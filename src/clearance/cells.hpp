@@ -57,8 +57,6 @@ class Cells {
   [[nodiscard]] Point position_near(const CellEdge& edge) const {
     return triangulation_.triangulation().geometry().rounded(number(mesh_.origin(edge.h)));
   }
-  /// The position of a foot, in doubles. It depends only on the walls.
-  [[nodiscard]] Point position_of_foot(std::uint32_t foot) const;
   /// The bridge as a gap that depends only on the walls, not on the direction of the gate. A bridge
   /// between two vertices starts at the first of them in (x, y) order. A foot bridge ends on the line of the first
   /// side, in the order of positions, that lies on its wall.

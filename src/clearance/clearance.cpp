@@ -99,7 +99,7 @@ void Clearance::update(const Triangulation& world, const mesh::TouchedFaces& tou
   std::sort(changed_.begin(), changed_.end());
   changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
   if (!walls_ && is_any_changed_loose(world)) return make_walls(world);
-  changed_walls_.sort();
+  changed_walls_.make_tree();
   if (walls_) {
     update_walls(world);
     touched_guard_.emplace(touched_walls_);

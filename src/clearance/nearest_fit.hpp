@@ -65,7 +65,7 @@ class NearestFit {
   struct Piece {
     OffsetCurve curve;
     OffsetCurve::Interval interval;
-    mesh::HalfEdge h;  ///< the wall with the line on its left
+    mesh::HalfEdge h;  ///< of a line: the wall with the line on its left; of a circle: starts at its vertex
   };
   /// The best answer so far.
   struct Best {
@@ -110,7 +110,7 @@ class NearestFit {
   Best best_;
   double rounding_ = 0.0;    ///< a bound of the rounding error of a coordinate of a constructed vertex
   double largest_ = 0.0;     ///< the largest magnitude of a coordinate of the domain
-  double step_ = 0.0;        ///< the distance of neighbouring doubles near the point, or a little more
+  double step_ = 0.0;        ///< at least half of the distance of neighbouring doubles near the candidate
   std::vector<Entry> open_;  ///< a heap
   std::vector<Piece> pieces_;
   OffsetCurve::Intervals intervals_;

@@ -132,8 +132,6 @@ Point OffsetCurve::normal(double parameter) const {
   return is_circle_ ? unit(direction_of(parameter)) : to_left(along_);
 }
 
-Point OffsetCurve::tangent(double parameter) const { return is_circle_ ? to_left(normal(parameter)) : along_; }
-
 double OffsetCurve::nearest(const Interval& interval) const {
   if (!is_circle_) return std::clamp(0.0, interval.low, interval.high);
   if (base_.x == 0.0 && base_.y == 0.0) return 0.5 * (interval.low + interval.high);

@@ -59,8 +59,6 @@ class OffsetCurve {
   [[nodiscard]] Point at(double parameter) const;
   /// The direction away from the wall or from the vertex.
   [[nodiscard]] Point normal(double parameter) const;
-  /// The direction in which the parameter grows.
-  [[nodiscard]] Point tangent(double parameter) const;
   /// The parameter of the position in the interval that is nearest to the query's point.
   [[nodiscard]] double nearest(const Interval& interval) const;
   /// The parameter of the position on the curve that is nearest to `position`: the foot of the perpendicular, or the
@@ -75,8 +73,6 @@ class OffsetCurve {
   [[nodiscard]] bool is_nearly_diameter(const Point& vertex) const;
 
  private:
-  struct Hull;
-
   [[nodiscard]] Blocked line_blocked_by(const Point& a, const Point& b, Bias bias) const;
   [[nodiscard]] Blocked circle_blocked_by(const Point& a, const Point& b, Bias bias) const;
 

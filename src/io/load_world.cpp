@@ -169,8 +169,8 @@ std::size_t WorldReader::read_stream(char* bytes, std::size_t size) {
   return count;
 }
 
-// A stream reads one byte as slowly as many. So the function reads bytes in advance, but never a byte after the items:
-// each item that the reader has not begun takes 16 bytes or more.
+// To read one byte from a stream takes about as long as to read many. So the function reads bytes in advance, but never
+// a byte after the items: each item that the reader has not begun takes 16 bytes or more.
 bool WorldReader::read_more(char* bytes, std::size_t size) {
   const std::size_t kept = filled_ - used_;
   std::memcpy(bytes, buffer_.data() + used_, kept);

@@ -51,7 +51,10 @@ bool FileReplacement::commit() {
   const std::string folder = target_.has_parent_path() ? target_.parent_path().string() : ".";
   std::error_code fault;
   const fs::file_status old = fs::status(target_, fault);
-  if (fs::exists(old)) fs::permissions(temporary_, old.permissions() & fs::perms::all, fault);
+  if (fs::exists(old)) {
+    fs::permissions(temporary_, old.permissions() & fs::perms::all, fault);
+    if (fault) return keep(fault.value());
+  }
   fs::rename(temporary_, target_, fault);
   if (fault) return keep(fault.value());
   temporary_.clear();

@@ -147,8 +147,10 @@ Components::Set Components::cover_beyond(const Triangulation& triangulation, Hal
   });
   removed_.clear();
   added_.clear();
+  std::sort(polygons_.begin(), polygons_.end());
+  covers_.find_contained(cover, polygons_, contained_);
   constraint::keep_each_if(polygons_, [&](std::uint32_t polygon, std::size_t count) {
-    const bool is_here = covers_.contains(cover, polygon);
+    const bool is_here = std::binary_search(contained_.begin(), contained_.end(), polygon);
     bool is_beyond = is_here;
     if (triangulation.items().fill(polygon) == FillRule::even_odd) {
       is_beyond = is_here != (count % 2 == 1);

@@ -230,7 +230,7 @@ void Components::count_memory(MemoryUse& use) const {
   covers_.count_memory(use, &MemoryUse::abstraction);
   memory::count_spare(use, faces_, groups_, group_sets_, regions_, old_neighbours_, searches_, search_sets_,
                       alternating_, old_parts_, piece_faces_, stack_, flooded_, reached_, around_, sides_, polygons_,
-                      removed_, added_, enclosed_, covered_, edges_);
+                      contained_, removed_, added_, enclosed_, covered_, edges_);
   for (const Search& search : searches_) memory::count_spare(use, search.found);
 }
 
@@ -240,8 +240,8 @@ void Components::shrink_to_fit() {
   marks_.shrink_to_fit();
   covers_.shrink_to_fit();
   memory::release(faces_, groups_, group_sets_, regions_, old_neighbours_, searches_, search_sets_, alternating_,
-                  old_parts_, piece_faces_, stack_, flooded_, reached_, around_, sides_, polygons_, removed_, added_,
-                  enclosed_, covered_, edges_);
+                  old_parts_, piece_faces_, stack_, flooded_, reached_, around_, sides_, polygons_, contained_,
+                  removed_, added_, enclosed_, covered_, edges_);
 }
 
 }  // namespace waywright::nav

@@ -117,9 +117,11 @@ class Components {
   struct Group {
     std::uint32_t begin, end;  ///< in `faces_`
     Id id = kNone;
-    std::uint32_t size = 0;        ///< size of the component to which the group will belong
-    std::uint32_t search = kNone;  ///< of a root of `group_sets_`: the search that starts at it, while searches run
-    std::uint32_t first_search = kNone;  ///< of a root of `regions_`: a search that starts beside the region
+    std::uint32_t size = 0;  ///< size of the component to which the group will belong
+    /// Valid only at a root of `group_sets_`, and only while searches run: the search that starts at the groups of this
+    /// set.
+    std::uint32_t search = kNone;
+    std::uint32_t first_search = kNone;  ///< valid only at a root of `regions_`: a search that starts beside the region
   };
   /// An old face that has a passage to a face of a group.
   struct OldNeighbour {
@@ -129,7 +131,8 @@ class Components {
   };
   /// A search through the old faces of a component. It starts at the old neighbours of one group, or of several
   /// connected groups. Searches that have met are a *set*. The root of the set in `search_sets_` identifies it. Three
-  /// of the members are links of circular lists: of the searches of a set, of the searches beside a region, of a queue.
+  /// members are links of circular lists: `next_of_set` links the searches of a set, `next_of_region` the searches
+  /// beside a region, and `next_in_queue` the searches in the queue of a set.
   struct Search {
     std::uint32_t group = 0;
     std::vector<mesh::Face> found;
@@ -252,13 +255,14 @@ class Components {
   std::vector<mesh::Face> piece_faces_;       ///< the faces of all pieces, piece by piece
   std::vector<mesh::Face> stack_;             ///< visited faces whose neighbours are not visited yet
   std::vector<Id> flooded_;                   ///< the components that the flood has visited
-  std::vector<std::uint32_t> reached_;   ///< covered groups whose neighbours cover_new_groups() has not looked at yet
-  std::vector<mesh::HalfEdge> around_;   ///< the faces around the vertex of outer_half_edge()
-  constraint::Outline outline_;          ///< of the polygon `covering_`
-  std::vector<std::uint32_t> sides_;     ///< of the polygon `covering_`, by slot, ring after ring
-  std::vector<std::uint32_t> polygons_;  ///< an entry for each polygon side on the edge of cover_beyond()
-  std::vector<std::uint32_t> removed_;   ///< the polygons that CoverTree::change() removes from a set
-  std::vector<std::uint32_t> added_;     ///< the polygons that CoverTree::change() adds to it
+  std::vector<std::uint32_t> reached_;    ///< covered groups whose neighbours cover_new_groups() has not looked at yet
+  std::vector<mesh::HalfEdge> around_;    ///< the faces around the vertex of outer_half_edge()
+  constraint::Outline outline_;           ///< of the polygon `covering_`
+  std::vector<std::uint32_t> sides_;      ///< of the polygon `covering_`, by slot, ring after ring
+  std::vector<std::uint32_t> polygons_;   ///< an entry for each polygon side on the edge of cover_beyond()
+  std::vector<std::uint32_t> contained_;  ///< those of `polygons_` that the cover beside this edge contains
+  std::vector<std::uint32_t> removed_;    ///< the polygons that CoverTree::change() removes from a set
+  std::vector<std::uint32_t> added_;      ///< the polygons that CoverTree::change() adds to it
 
   /// Something that refers to the set `set` in the tree of covers: a component with this cover, or a node of the tree
   /// with this parent. `index` is the component or the node.

@@ -31,7 +31,7 @@ CoverTree::Set CoverTree::change(Set set, std::span<const std::uint32_t> removed
   kept_.assign(added.begin(), added.end());
   for (std::size_t left = removed.size(); left > 0; set = nodes_[set].parent) {
     const std::uint32_t polygon = nodes_[set].polygon;
-    if (std::find(removed.begin(), removed.end(), polygon) != removed.end()) {
+    if (std::binary_search(removed.begin(), removed.end(), polygon)) {
       --left;
     } else {
       kept_.push_back(polygon);
@@ -41,10 +41,19 @@ CoverTree::Set CoverTree::change(Set set, std::span<const std::uint32_t> removed
   return set;
 }
 
-bool CoverTree::contains(Set set, std::uint32_t polygon) const {
-  if (!is_used(polygon)) return false;
-  while (set != kEmpty && nodes_[set].polygon != polygon) set = nodes_[set].parent;
-  return set != kEmpty;
+void CoverTree::find_contained(Set set, std::span<const std::uint32_t> polygons,
+                               std::vector<std::uint32_t>& found) const {
+  found.clear();
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    if ((i == 0 || polygons[i] != polygons[i - 1]) && is_used(polygons[i])) ++left;
+  }
+  for (; left > 0 && set != kEmpty; set = nodes_[set].parent) {
+    if (!std::binary_search(polygons.begin(), polygons.end(), nodes_[set].polygon)) continue;
+    found.push_back(nodes_[set].polygon);
+    --left;
+  }
+  std::sort(found.begin(), found.end());
 }
 
 void CoverTree::set_first_component(Set set, std::uint32_t component) {

@@ -26,11 +26,13 @@ class CoverTree {
   /// Returns a new node: the set and one more polygon. It has no reference yet. Requires: the set does not contain the
   /// polygon. Cost: O(1).
   [[nodiscard]] Set add(Set set, std::uint32_t polygon);
-  /// Returns the set without the polygons in `removed` and with the polygons in `added`. Requires: the set contains all
-  /// of `removed` and none of `added`. Cost: the number of nodes up to the last of `removed`.
+  /// Returns the set without the polygons in `removed` and with the polygons in `added`. Requires: `removed` ascends;
+  /// the set contains all of `removed` and none of `added`. Cost: the number of nodes up to the last of `removed`,
+  /// times the logarithm of their number; and O(1) for each of `added`.
   [[nodiscard]] Set change(Set set, std::span<const std::uint32_t> removed, std::span<const std::uint32_t> added);
-  /// Whether the set contains the polygon. Cost: the size of the set, or O(1) if the polygon covers nothing.
-  [[nodiscard]] bool contains(Set set, std::uint32_t polygon) const;
+  /// Writes those of the polygons that the set contains to `found`, ascending. Requires: `polygons` ascends. Cost: the
+  /// size of the set times the logarithm of the number of polygons, or O(1) for each polygon if they cover nothing.
+  void find_contained(Set set, std::span<const std::uint32_t> polygons, std::vector<std::uint32_t>& found) const;
   /// Returns whether a set contains the polygon.
   [[nodiscard]] bool is_used(std::uint32_t polygon) const { return first_node(polygon) != kEmpty; }
   /// Returns whether is(polygon) is true for at least one polygon of the set. If the node `end` is among the set's

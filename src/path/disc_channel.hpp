@@ -79,7 +79,7 @@ class DiscChannel {
   /// Returns whether `edges`, a result of DeadEnds::edges_towards_goal() for the face `f`, contains the edge `exit` of
   /// this face.
   [[nodiscard]] static bool contains(unsigned edges, mesh::Face f, mesh::HalfEdge exit) {
-    return (edges >> (number(exit) - 3 * number(f)) & 1U) != 0;
+    return (edges >> mesh::index_in(f, exit) & 1U) != 0;
   }
   /// Returns whether the channel can leave a face across the edge `exit`, which is no wall. `squared` is the squared
   /// length of this edge. Only a foot bridge that starts at the origin of `corner` can separate this edge from the edge

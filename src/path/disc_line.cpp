@@ -40,7 +40,7 @@ bool DiscLine::is_clear(const DiscMap& map, const End& from, const End& to, cons
   from_ = from;
   to_ = to;
   direction_ = line.direction;
-  back_ = {-direction_.x, -direction_.y};
+  back_ = -direction_;
   length_ = line.length;
   start_ = touching_position(from.pivot, direction_, map.radius);
   end_ = touching_position(to.pivot, direction_, map.radius);

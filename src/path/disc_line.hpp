@@ -27,9 +27,9 @@ class DiscLine {
 
   /// A vertex that is nearer to the line than the radius. A path can pass the vertex only if it turns around it.
   struct Obstacle {
-    mesh::Vertex vertex = mesh::kNoVertex;  ///< kNoVertex if there is none
-    mesh::HalfEdge corner;                  ///< starts at the vertex
-    Tangent line;                           ///< from the first end of the line to the obstacle
+    mesh::Vertex vertex = mesh::kNoVertex;      ///< kNoVertex if there is none
+    mesh::HalfEdge corner = mesh::kNoHalfEdge;  ///< starts at the vertex
+    Tangent line;                               ///< from the first end of the line to the obstacle
   };
 
   /// Tests the line from `from` to `to` in a direction. `face` is a half-edge of the face that contains the position at

@@ -23,8 +23,6 @@ constexpr int kFacesBetweenOffers = 8;
 /// The rest allows for rounding.
 constexpr double kMostRadiiOnOtherSide = 2.125;
 
-Point opposite(const Point& v) { return {-v.x, -v.y}; }
-
 /// Returns the direction of the vector. Returns (1, 0) if its length is 0.
 Point unit(const Point& v) {
   const double size = length(v);
@@ -213,10 +211,10 @@ void DiscOptimal::pass_end(const Window& window, Ray& ray, int turn, bool sees_a
 /// Adds a turn node for an end of the window's edge: the left end if `turn` is kTurnLeft, the right end if it is
 /// kTurnRight. Requires: a ray of the window passes through this end. Does nothing if no path can continue after the
 /// turn: neither through the two other edges of the face, nor to a goal in one of the two faces at the window's edge.
-/// (Because of rounding, the goal may lie before this edge.) `sees_apex` is false if the apex lies on this ray. The far
-/// edge is the edge of the face that does not contain this end of the window's edge. If the apex lies on the ray and
-/// the path also turns in the direction `turn` at its root, the path goes along the ray to the apex. It does not cross
-/// the far edge.
+/// (Because of rounding, the goal may lie before this edge.) The *far edge* is
+/// the one edge of the face on which this end of the window's edge does not lie. `sees_apex` is false if the apex lies
+/// on this ray. If, in addition, the path turns in the direction `turn` at its root, the path goes along the ray to the
+/// apex, and does not cross the far edge.
 /// Returns whether it has added a turn node, or would have added one if the turn node could be useful.
 bool DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
@@ -460,7 +458,7 @@ bool DiscOptimal::is_shorter_with_other_turn(const TurnNode& node, HalfEdge corn
     if (root.length > node.length) continue;
     // This is the direction in which a path with the turn of `node` touches the circle where the path of `root` touches
     // it.
-    const Point arrival = opposite(root.direction);
+    const Point arrival = -root.direction;
     const int orientation = cross(arrival, node.line.direction) >= 0.0 ? 1 : -1;
     const double angle = turning_angle(arrival, node.line.direction, orientation);
     if (root.length + map_->radius * angle > node.length) continue;
@@ -502,7 +500,7 @@ void DiscOptimal::leave_root(std::uint32_t root_index, HalfEdge corner) {
     const Vertex end = mesh.target(spoke);
     Ray last{map_->position(end) - pivot.centre, end};
     // The spoke lies beyond a turn of 180 degrees (turn_around()).
-    if (order > 2.0) last = {opposite(root.direction), mesh::kNoVertex};
+    if (order > 2.0) last = {-root.direction, mesh::kNoVertex};
     if (ends_->is_goal_face(mesh::face(at))) {
       if (const auto line = tangent(pivot, {ends_->goal(), kNoTurn}, map_->radius)) push_goal(root_index, *line);
     }

@@ -75,8 +75,9 @@ class DiscOptimal {
   struct Ray {
     Point direction;
     mesh::Vertex anchor = mesh::kNoVertex;  ///< the last vertex on the ray that the search has found, or kNoVertex
-    /// Whether a path that turns at the root, turns in the same direction at an earlier vertex on the ray, and
-    /// continues along the ray, reaches the anchor. Then the search needs no turn node for the anchor.
+    /// Whether the search has made a turn node for an earlier vertex on this ray, in the direction in which the path
+    /// turns at the root. A path over this turn node continues along the ray and reaches the anchor. So the search
+    /// needs no turn node for the anchor.
     bool has_turn = false;
   };
   struct Window {

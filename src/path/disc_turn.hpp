@@ -16,7 +16,9 @@ struct TurnLimit {
   mesh::HalfEdge corner = mesh::kNoHalfEdge;
 };
 
-/// If the order of a direction exceeds a limit by more than this, the path cannot turn so far. Allows for rounding.
+/// The margin for rounding of two tests. A path cannot turn so far if the order of a direction exceeds the limit by
+/// more than this. A path turns back if the cross product of its two directions, times the turn, is below minus this
+/// number. (For small angles, the order and this product are nearly equal.)
 inline constexpr double kTurnsBack = 0x1p-23;
 
 /// Returns whether a direction lies beyond the limit of a turn: then a path that arrives at the pivot in the

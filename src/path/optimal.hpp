@@ -55,9 +55,11 @@ class Optimal {
     std::span<const mesh::HalfEdge> faces;
   };
 
-  /// Starts a new search. If `looked_at` is not null, the search records in it the faces at which it looks. Requires:
-  /// the triangulation and the abstraction (if there is one) do not change during the search, and `start.faces` does
-  /// not change before start().
+  /// Starts a new search. If `looked_at` is not null, the search records in it the faces at which it looks. Then the
+  /// triangulation and the abstraction may change during the search, if no change touches one of these faces
+  /// (Finder::begin() says what touches a face), and if the caller calls grow_to_mesh() before the next step().
+  /// Requires: without `looked_at`, the triangulation and the abstraction (if there is one) do not change during the
+  /// search; `start.faces` does not change before start().
   void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Start& start,
              bool wants_channel, LookedAt* looked_at = nullptr);
   /// Call this after begin(): the search becomes a guide. It crosses only edges for which distances.can_cross() is
@@ -69,8 +71,8 @@ class Optimal {
   /// Call this after begin(): the search then appends each window that it follows to `windows`: one or more for each
   /// triangle that it enters. Requires: begin() was called with `looked_at`.
   void record_windows(std::vector<SearchWindow>& windows) { windows_ = &windows; }
-  /// Adds a goal and the open faces around it. A search without goals finds nothing. Requires: the goal does not lie at
-  /// a face of the start.
+  /// Adds a goal and the open faces around it. A search without goals finds nothing. Requires: no face contains
+  /// both the start and the goal. (A face also contains the positions on its border.)
   void add_goal(const Point& goal, const std::vector<mesh::HalfEdge>& faces);
   /// Call this after the last add_goal(). The search leaves out paths that are not shorter than `known_length`.
   void start(double known_length = std::numeric_limits<double>::infinity());

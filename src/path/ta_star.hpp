@@ -31,8 +31,9 @@ class TaStar {
   using Triangulation = constraint::ExactTriangulation;
 
   /// Starts a search between two ends. If `looked_at` is not null, the search records in it the faces at which it
-  /// looks.
-  /// Requires: no face lies at both ends; the ends and the triangulation do not change during the search.
+  /// looks. Then the triangulation may change, as in Optimal::begin().
+  /// Requires: no face contains both ends; the ends do not change during the search and, without `looked_at`, the
+  /// triangulation does not change either.
   void begin(const Triangulation& triangulation, const Ends& ends, LookedAt* looked_at);
   /// Makes room for faces that were added to the mesh after begin().
   void grow_to_mesh() { entered_.grow_to(std::size_t{3} * mesh_->face_slots()); }

@@ -36,7 +36,7 @@ class Replica {
     handles_.store(1, std::memory_order_relaxed);
     owners_.store(2, std::memory_order_relaxed);
   }
-  /// Adds a handle if there is at least one. Returns whether it did.
+  /// If the replica has a handle already, adds another one and returns true. Otherwise returns false.
   [[nodiscard]] bool add_handle_if_any();
   /// Adds a handle. Requires: the calling thread has a handle of this replica.
   void add_handle() { handles_.fetch_add(1, std::memory_order_relaxed); }

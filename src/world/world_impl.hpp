@@ -37,7 +37,8 @@ class WAYWRIGHT_INTERNAL World::Operation {
     change,   ///< the history records the changes
     rewind,   ///< the history does not record the changes, and no limit applies: the world had these items before
     attempt,  ///< the caller calls update() and not commit(), so the destructor takes the changes back
-    follow,   ///< a replica repeats a change of its world: history and ChangeLog do not record it, no limit applies
+    follow,   ///< a replica repeats a change of its world; history and ChangeLog do not record it; only the mesh is
+              ///< limited
   };
 
   explicit Operation(Impl& impl, Kind kind = Kind::change);
@@ -100,8 +101,8 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   [[nodiscard]] std::optional<Error> insert_points(const constraint::PointBatch& batch, const BulkOptions& options);
   /// Replaces all items by the items of a batch: builds a new triangulation and then replaces the old one. So the
   /// function is all or nothing without an undo log. `largest_id` is the largest id that the world has seen afterwards.
-  /// If the batch exceeds a limit, changes nothing and returns the error. Requires: `change_log` and `history` contain
-  /// the changes.
+  /// If the batch exceeds a limit, changes nothing and returns the error. Requires: `change_log` contains the
+  /// changes. The caller changes `history`.
   template <class Batch>
   [[nodiscard]] std::optional<Error> replace_all(const Batch& batch, ItemId largest_id,
                                                  const constraint::VertexLimits& made_limits,

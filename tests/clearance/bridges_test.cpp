@@ -32,7 +32,7 @@ using mesh::HalfEdge;
 clearance::ChangedWalls changed_by(const Shape& shape) {
   clearance::ChangedWalls changed;
   changed.add(Box::bounding(shape.rings.points()));
-  changed.sort();
+  changed.make_tree();
   return changed;
 }
 

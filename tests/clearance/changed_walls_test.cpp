@@ -1,6 +1,6 @@
 #include "clearance/changed_walls.hpp"
 
-#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -10,31 +10,40 @@ namespace {
 
 using clearance::ChangedWalls;
 
-/// Boxes from left to right, some wide and some narrow, in an order that is not sorted.
-std::vector<Box> many_boxes() {
-  std::vector<Box> boxes;
-  for (int i = 0; i < 50; ++i) {
-    const double x = i * 37 % 50 * 10.0;
-    boxes.push_back({{x, 0.0}, {x + (i % 7 == 0 ? 90.0 : 2.0), 5.0}});
-  }
-  return boxes;
+/// Returns whether one of the changed walls meets the box, and counts the tests in `tests`.
+bool meets_any(const ChangedWalls& changed, const Box& box, std::size_t& tests) {
+  return changed.is_any([&](const Box& other) {
+    ++tests;
+    return other.overlaps(box);
+  });
 }
 
-TEST(ChangedWalls, FindsEachBoxThatMeetsARange) {
-  ChangedWalls changed;
-  for (const Box& box : many_boxes()) changed.add(box);
-  changed.sort();
-  ASSERT_FALSE(changed.are_all());
-  for (double low = -20.0; low < 620.0; low += 3.0) {
-    const auto found = changed.boxes_between(low, low + 8.0);
-    for (const Box& box : many_boxes()) {
-      if (box.max.x < low || box.min.x > low + 7.9) continue;
-      EXPECT_TRUE(std::any_of(found.begin(), found.end(),
-                              [&](const Box& other) { return other.min.x <= box.min.x && other.max.x >= box.max.x; }))
-          << low << " " << box.min.x;
-    }
-    EXPECT_LT(found.size(), 25U) << low;
+TEST(ChangedWalls, FindsEachBoxWithFewTests) {
+  // Small boxes in a town of 40 x 40, and two boxes that are as wide and as high as the town.
+  std::vector<Box> boxes = {{{0.0, 5.5}, {400.0, 6.0}}, {{5.5, 0.0}, {6.0, 400.0}}};
+  for (int i = 0; i < 1600; ++i) {
+    const int place = i * 37 % 1600;
+    const Point min{10.0 * (place % 40), 10.0 * (place / 40)};
+    boxes.push_back({min, {min.x + 2.0, min.y + 2.0}});
   }
+  ChangedWalls changed;
+  for (const Box& box : boxes) changed.add(box);
+  changed.make_tree();
+  ASSERT_FALSE(changed.are_all());
+  std::size_t found = 0;
+  for (double x = -20.0; x < 420.0; x += 7.0) {
+    for (double y = -20.0; y < 420.0; y += 7.0) {
+      const Box asked{{x, y}, {x + 4.0, y + 4.0}};
+      bool is_expected = false;
+      for (const Box& box : boxes) is_expected = is_expected || box.overlaps(asked);
+      std::size_t tests = 0;
+      EXPECT_EQ(meets_any(changed, asked, tests), is_expected) << x << " " << y;
+      EXPECT_LT(tests, 150U) << x << " " << y;
+      found += is_expected ? 1 : 0;
+    }
+  }
+  EXPECT_GT(found, 500U);
+  EXPECT_LT(found, 3000U);
 }
 
 TEST(ChangedWalls, OneBoxReplacesTwoThatAreNearlyTheSame) {
@@ -42,8 +51,12 @@ TEST(ChangedWalls, OneBoxReplacesTwoThatAreNearlyTheSame) {
   changed.add({{3.0, 1.0}, {43.0, 41.0}});
   changed.add({{500.0, 0.0}, {540.0, 40.0}});
   changed.add({{0.0, 0.0}, {40.0, 40.0}});
-  changed.sort();
-  const auto boxes = changed.boxes_between(-1000.0, 1000.0);
+  changed.make_tree();
+  std::vector<Box> boxes;
+  EXPECT_FALSE(changed.is_any([&](const Box& box) {
+    boxes.push_back(box);
+    return false;
+  }));
   ASSERT_EQ(boxes.size(), 2U);
   EXPECT_EQ(boxes[0].min, (Point{0.0, 0.0}));
   EXPECT_EQ(boxes[0].max, (Point{43.0, 41.0}));

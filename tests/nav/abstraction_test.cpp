@@ -299,6 +299,15 @@ TEST(Abstraction, EqualSolidsAreCountedOneByOne) {
 }
 
 /// A wall with a gap that opens and closes, deep in a maze whose component is one tree.
+TEST(Abstraction, AFaceBesideManyEqualSolidsHasNoneOfThem) {
+  Reduced reduced(kTen);
+  for (int i = 0; i < 50; ++i) reduced.insert(rectangle(4, 4, 6, 6));
+  reduced.insert({ItemKind::polyline, {{{4, 4}, {3.5, 5}, {4, 6}}}});
+  EXPECT_EQ(fault_of(reduced), std::nullopt);
+  EXPECT_FALSE(reduced.abstraction().components().is_covered(reduced.face_at({3.9, 5})));
+  EXPECT_TRUE(reduced.abstraction().components().is_covered(reduced.face_at({4.1, 5})));
+}
+
 TEST(Abstraction, RingsAreInsertedAndRemovedInATree) {
   Reduced reduced({{0, 0}, {100, 100}});
   std::vector<ItemId> walls;
