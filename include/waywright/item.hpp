@@ -43,8 +43,8 @@ enum class FillRule : std::uint8_t {
 [[nodiscard]] WAYWRIGHT_API std::string_view to_string(FillRule rule);
 
 /// The form of an item, independent of any world. A point has one ring of one point, a segment one ring of two
-/// points, a polyline one ring of one or more points. A polygon has one or more rings. The side from the last point of
-/// a ring to its first point belongs to the ring, so you need not repeat the first point.
+/// points, a polyline one ring of one or more points. A polygon has one or more rings. In a polygon, the side from the
+/// last point of a ring to its first point belongs to the ring, so you need not repeat the first point.
 ///
 /// @code{.cpp}
 /// const Shape house = Shape::rectangle({{2, 2}, {6, 5}});

@@ -12,8 +12,8 @@
 namespace waywright::clearance {
 
 /// Boxes that contain all walls that an operation has inserted or removed. If the operation changed very many items,
-/// the object has no boxes, and then any wall may have changed. Many boxes form a tree: a node has a box that contains
-/// the boxes of its two halves.
+/// the object has no boxes, and then every wall counts as changed. Many boxes form a tree: a node has a box that
+/// contains the boxes of its two halves.
 class ChangedWalls {
  public:
   /// Removes all boxes. Afterwards no wall counts as changed.
@@ -27,14 +27,15 @@ class ChangedWalls {
     if (boxes_.size() == kMost) add_all();
     if (!are_all_) boxes_.push_back(box);
   }
-  /// Says that any wall may have changed.
+  /// Makes every wall count as changed.
   void add_all() {
     are_all_ = true;
     boxes_.clear();
     nodes_.clear();
   }
-  /// Makes the tree. If two boxes beside each other are nearly the same, for example because an item has moved a
-  /// little, one box replaces the two. Call this function after the last add(). Cost: n log n in the boxes.
+  /// Sorts the boxes from left to right, and makes the tree. If two boxes that follow each other in this order are
+  /// nearly the same, for example because an item has moved a little, one box replaces the two. Call this function
+  /// after the last add(). Cost: n log n in the boxes.
   void make_tree() {
     std::sort(boxes_.begin(), boxes_.end(), [](const Box& p, const Box& q) { return p.min.x < q.min.x; });
     std::size_t count = 0;
@@ -46,7 +47,8 @@ class ChangedWalls {
     if (count > kFew) add_nodes(0, 0, count);
   }
 
-  /// Whether any wall may have changed. Then the boxes say nothing.
+  /// Returns whether every wall counts as changed: add_all() was called, or there were too many boxes. Then there are
+  /// no boxes.
   [[nodiscard]] bool are_all() const { return are_all_; }
   /// Returns whether test(box) is true for one of the boxes. Requires: if the test is true for a box, then it is true
   /// for each box that contains this box; make_tree() was called. Cost: O(log n) if the boxes do not overlap and the

@@ -80,8 +80,8 @@ void Components::unlink_cover(Id component) {
   records_.write(component, {old.size});
 }
 
-/// Returns a half-edge that starts at `v`, in a face in the domain. To the right of this half-edge lie only positions
-/// that come before `v` in (x, y) order, or that lie outside the domain.
+/// Returns a half-edge that starts at `v`, in a face in the domain. The positions directly to the right of this
+/// half-edge come before `v` in (x, y) order, or lie outside the domain.
 HalfEdge Components::outer_half_edge(const Triangulation& triangulation, mesh::Vertex v) {
   constraint::faces_at(triangulation, {locate::LocatedKind::vertex, triangulation.topology().outgoing(v)}, around_);
   return around_.front();
