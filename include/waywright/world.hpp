@@ -122,8 +122,8 @@ class WAYWRIGHT_API World {
   /// the remaining items has.
   /// Errors: unknown_id, bad_id.
   /// Cost: the triangles that the item touches, however large the world is, and the bridges that change. With the
-  /// abstraction, a removal that connects two areas also costs the triangles of the smaller area.
-  /// Source: Chen 2009, sections 3.4 and 3.5.
+  /// abstraction, also: the triangles of the smaller area, if the removal connects two areas; and for a polygon, the
+  /// polygons and the closed areas directly inside it. Source: Chen 2009, sections 3.4 and 3.5.
   Result<void> remove(ItemId id);
 
   /// Replaces the shape of an item. The item keeps its id. Use it to move an obstacle.

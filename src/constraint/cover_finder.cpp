@@ -53,13 +53,15 @@ void keep_covering(const ItemTable& items, std::vector<std::uint32_t>& entries) 
 /// Goes from the face of `h` through faces to the outside of the domain. Calls visit(edge) for each edge that the
 /// function crosses, with the half-edge in the face that it leaves. The function goes from face to face around a vertex
 /// to the vertex's first neighbour in (x, y) order, then around this neighbour, and so on. At the domain's first corner
-/// it leaves the domain. This ends, because every other vertex has a neighbour that comes before it.
+/// it leaves the domain. This ends, because every other vertex has a neighbour that comes before it. If `before` is a
+/// vertex, the function ends as soon as it reaches a vertex that comes before it.
 template <class Visit>
-void leave_domain(const ExactTriangulation& triangulation, mesh::HalfEdge h, Visit&& visit) {
+void leave_domain(const ExactTriangulation& triangulation, mesh::HalfEdge h, mesh::Vertex before, Visit&& visit) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
   while (!delaunay.is_ghost_face(h)) {
     const mesh::Vertex v = mesh.origin(h);
+    if (before != mesh::kNoVertex && delaunay.comes_before(v, before)) return;
     const bool is_last = v == delaunay.domain_corners()[0];
     const mesh::Vertex towards = is_last ? delaunay.ghost() : mesh.target(first_neighbour(triangulation, v));
     while (mesh.target(h) != towards) {
@@ -107,19 +109,24 @@ const std::vector<std::uint32_t>& CoverFinder::of_face(const ExactTriangulation&
   crossed_.clear();
   if (!triangulation.items().has_polygons()) return crossed_;
   if (triangulation.items().has_nonzero_polygons()) {
-    leave_domain(triangulation, h, [&](mesh::HalfEdge edge) { append_directed(triangulation, edge, crossed_); });
+    leave_domain(triangulation, h, mesh::kNoVertex,
+                 [&](mesh::HalfEdge edge) { append_directed(triangulation, edge, crossed_); });
     keep_covering(triangulation.items(), crossed_);
   } else {
-    leave_domain(triangulation, h, [&](mesh::HalfEdge edge) { append_polygons(triangulation, edge, crossed_); });
+    leave_domain(triangulation, h, mesh::kNoVertex,
+                 [&](mesh::HalfEdge edge) { append_polygons(triangulation, edge, crossed_); });
     keep_odd(crossed_);
   }
   return crossed_;
 }
 
-std::int32_t winding_number(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::uint32_t polygon) {
+// The polygon contains no vertex that comes before its first corner. So the winding number is 0 in each face at such a
+// vertex.
+std::int32_t winding_number(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::uint32_t polygon,
+                            mesh::Vertex first_corner) {
   std::int32_t sum = 0;
   with_winding(triangulation, polygon, [&](const auto& winding) {
-    leave_domain(triangulation, h, [&](mesh::HalfEdge edge) { sum += winding.across(edge); });
+    leave_domain(triangulation, h, first_corner, [&](mesh::HalfEdge edge) { sum += winding.across(edge); });
   });
   return sum;
 }

@@ -61,8 +61,9 @@ void faces_at(const ExactTriangulation& triangulation, const locate::Located& lo
               std::vector<mesh::HalfEdge>& faces);
 
 /// The winding number of the polygon in the face of `h`. For an even-odd polygon only its parity counts. The function
-/// crosses the same edges as CoverFinder::of_face.
+/// crosses the same edges as CoverFinder::of_face. If `first_corner` is the polygon's first corner in (x, y) order, the
+/// function does not go to the border of the domain: it ends at the first vertex that comes before this corner.
 [[nodiscard]] std::int32_t winding_number(const ExactTriangulation& triangulation, mesh::HalfEdge h,
-                                          std::uint32_t polygon);
+                                          std::uint32_t polygon, mesh::Vertex first_corner = mesh::kNoVertex);
 
 }  // namespace waywright::constraint

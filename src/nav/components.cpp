@@ -30,7 +30,7 @@ void Components::update(const Triangulation& triangulation, const Changes& chang
   find_old_parts(mesh, changes.may_divide);
   assign_components(mesh);
   cover_new_groups(triangulation, changes);
-  for (const std::uint32_t polygon : changes.inserted) cover_with(triangulation, polygon, changes.inserted);
+  cover_with_all(triangulation, changes.inserted);
 }
 
 void Components::update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const Face> changed,
@@ -230,7 +230,7 @@ void Components::count_memory(MemoryUse& use) const {
   covers_.count_memory(use, &MemoryUse::abstraction);
   memory::count_spare(use, faces_, groups_, group_sets_, regions_, old_neighbours_, searches_, search_sets_,
                       alternating_, old_parts_, piece_faces_, stack_, flooded_, reached_, around_, sides_, polygons_,
-                      contained_, removed_, added_, enclosed_, covered_, edges_);
+                      contained_, removed_, added_, to_cover_, enclosed_, covered_, edges_);
   for (const Search& search : searches_) memory::count_spare(use, search.found);
 }
 
@@ -241,7 +241,7 @@ void Components::shrink_to_fit() {
   covers_.shrink_to_fit();
   memory::release(faces_, groups_, group_sets_, regions_, old_neighbours_, searches_, search_sets_, alternating_,
                   old_parts_, piece_faces_, stack_, flooded_, reached_, around_, sides_, polygons_, contained_,
-                  removed_, added_, enclosed_, covered_, edges_);
+                  removed_, added_, to_cover_, enclosed_, covered_, edges_);
 }
 
 }  // namespace waywright::nav

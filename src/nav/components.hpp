@@ -214,7 +214,8 @@ class Components {
   void link_cover(Id component, Set cover);
   void unlink_cover(Id component);
 
-  // Covering with an inserted polygon.
+  // Covering with inserted polygons.
+  void cover_with_all(const Triangulation& triangulation, std::span<const std::uint32_t> inserted);
   void cover_with(const Triangulation& triangulation, std::uint32_t polygon, std::span<const std::uint32_t> inserted);
   template <class Winding>
   void visit_boundary(const Triangulation& triangulation, const Winding& winding);
@@ -271,6 +272,13 @@ class Components {
     std::uint32_t index;
     bool is_node;
   };
+  /// An inserted polygon, and its first corner in (x, y) order.
+  struct ToCover {
+    mesh::Vertex first_corner;
+    std::uint32_t polygon;
+  };
+  std::vector<ToCover> to_cover_;
+  constraint::SlotSet are_in_covers_;  ///< the inserted polygons that the covers already contain
   // The polygon that cover_with() handles. Another polygon is *enclosed* if it has one ring, all of it lies inside this
   // polygon, and its boundary does not touch the boundary of this polygon.
   std::uint32_t covering_ = 0;

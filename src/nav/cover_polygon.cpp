@@ -125,8 +125,28 @@ class WindingOfSides {
 
 }  // namespace
 
+/// Adds the inserted polygons to the covers. If a polygon encloses another one, its first corner comes first in (x, y)
+/// order. So the function begins with the polygon whose first corner comes last: then the covers contain all enclosed
+/// polygons before it handles the polygon around them.
+void Components::cover_with_all(const Triangulation& triangulation, std::span<const std::uint32_t> inserted) {
+  are_in_covers_.clear();
+  to_cover_.clear();
+  for (const std::uint32_t polygon : inserted) {
+    triangulation.items().outline(polygon, outline_);
+    to_cover_.push_back({outline_.corners[first_corner(triangulation, outline_.corners)], polygon});
+  }
+  std::sort(to_cover_.begin(), to_cover_.end(), [&](const ToCover& p, const ToCover& q) {
+    return p.first_corner != q.first_corner ? triangulation.triangulation().comes_before(q.first_corner, p.first_corner)
+                                            : p.polygon < q.polygon;
+  });
+  for (const ToCover& next : to_cover_) {
+    cover_with(triangulation, next.polygon, inserted);
+    are_in_covers_.insert(next.polygon);
+  }
+}
+
 /// Adds the polygon to the cover of each component that lies inside it, by its fill rule. `inserted` lists all inserted
-/// polygons. The covers already contain the polygons that come before `polygon` in this list.
+/// polygons, ascending. The covers already contain those of them that are in `are_in_covers_`.
 void Components::cover_with(const Triangulation& triangulation, std::uint32_t polygon,
                             std::span<const std::uint32_t> inserted) {
   covering_ = polygon;
@@ -167,6 +187,7 @@ void Components::visit_boundary(const Triangulation& triangulation, const Windin
   sides_.clear();
   triangulation.items().for_each_side(covering_, [&](std::uint32_t slot) { sides_.push_back(slot); });
   may_enclose_ = outline_.ring_ends.size() == 1;
+  const mesh::Vertex first_of_all = outline_.corners[first_corner(triangulation, outline_.corners)];
   std::size_t ring_begin = 0;
   std::size_t sides_begin = 0;
   std::span<const mesh::Vertex> last_ring;
@@ -184,7 +205,7 @@ void Components::visit_boundary(const Triangulation& triangulation, const Windin
     // The origin of `h` is the ring's first corner in (x, y) order, so the face on the right of `h` lies outside this
     // ring. If the polygon has only this ring, the winding number in that face is 0. If it has several rings, this ring
     // may lie inside another one.
-    std::int32_t here = may_enclose_ ? winding.across(h) : winding_number(triangulation, h, covering_);
+    std::int32_t here = may_enclose_ ? winding.across(h) : winding_number(triangulation, h, covering_, first_of_all);
     for (std::size_t i = 0; count > 1 && i < count; ++i) {
       visit_inner_faces(triangulation, winding, sides_[sides_begin + (first + i) % count], h, here,
                         [&](Face f) { visit(f); });
@@ -225,7 +246,8 @@ bool Components::is_on_enclosed(const Triangulation& triangulation, HalfEdge h) 
 bool Components::is_enclosed(const Triangulation& triangulation, std::uint32_t polygon) {
   if (!tested_.insert(polygon)) return is_enclosed_.contains(polygon);
   if (!knows_touching_) collect_touching(triangulation);
-  const bool is_in_covers = polygon < covering_ || !std::binary_search(inserted_.begin(), inserted_.end(), polygon);
+  const bool is_in_covers =
+      are_in_covers_.contains(polygon) || !std::binary_search(inserted_.begin(), inserted_.end(), polygon);
   if (!may_enclose_ || !is_in_covers || touching_.contains(polygon) || !triangulation.items().has_one_ring(polygon)) {
     return false;
   }

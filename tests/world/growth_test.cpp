@@ -208,6 +208,54 @@ TEST(Growth, NestedPolygons) {
   }
 }
 
+/// Inserts a grid of `count` x `count` small squares, with the upper right corner at (0, 0).
+void insert_town(World& world, int count) {
+  std::vector<Item> town;
+  for (int i = 0; i < count * count; ++i) {
+    town.push_back({{}, square({-3.0 - 5.0 * (i % count), -3.0 - 5.0 * (i / count)}, 1.5)});
+  }
+  static_cast<void>(world.insert_all(town).value());
+}
+
+// The larger squares come first, so each square encloses all later ones of the operation.
+TEST(Growth, NestedPolygonsInsertedAtOnceIntoATown) {
+  World world = World::create(kDomain).value();
+  insert_town(world, 30);
+  std::vector<Item> nested;
+  for (int i = 40; i > 0; --i) nested.push_back({{}, square({500, 500}, i)});
+  const std::vector<ItemId> ids = world.insert_all(nested).value();
+  EXPECT_EQ(world.items_at({500, 500}).value(), ids);
+  EXPECT_EQ(world.items_at({510.5, 500}).value(), std::vector(ids.begin(), ids.begin() + 30));
+  ASSERT_NO_FATAL_FAILURE(expect_right(world));
+  world.remove(ids[20]).value();
+  ASSERT_NO_FATAL_FAILURE(expect_right(world));
+}
+
+// The search for the winding number beside a ring ends left of the polygon. It does not go to the border of the domain.
+TEST(Growth, ACourtyardInALargeTown) {
+  const std::vector<Shape> buildings = {
+      Shape::polygon(std::vector<std::vector<Point>>{{{-7, -7}, {-4.7, -7}, {-4.7, -4.7}, {-7, -4.7}},
+                                                     {{-6.5, -6.5}, {-5, -6.5}, {-5, -5}, {-6.5, -5}}}),
+      Shape::polygon(std::vector<std::vector<Point>>{{{-6.5, -6.5}, {-5, -6.5}, {-5, -5}, {-6.5, -5}},
+                                                     {{-7, -7}, {-4.7, -7}, {-4.7, -4.7}, {-7, -4.7}}})};
+  for (const Shape& building : buildings) {
+    std::uint64_t comparisons[2] = {};
+    for (const std::size_t i : {0U, 1U}) {
+      World world = World::create(kDomain).value();
+      insert_town(world, i == 0 ? 20 : 80);
+      const StageCounts before = predicate_counts().order;
+      world.insert(building).value();
+      const StageCounts after = predicate_counts().order;
+      comparisons[i] =
+          after.doubles + after.lattice + after.integers - before.doubles - before.lattice - before.integers;
+      ASSERT_TRUE(world.validate().ok);
+      EXPECT_TRUE(world.items_at({-5.5, -5.5}).value().empty());
+      EXPECT_EQ(world.items_at({-6.7, -5.5}).value().size(), 1U);
+    }
+    EXPECT_LT(comparisons[1], comparisons[0] + 50) << comparisons[0];
+  }
+}
+
 TEST(Growth, IdenticalItems) {
   std::vector<Shape> shapes(12, square({0, 0}, 4));
   shapes.push_back(Shape::polygon({{{-4, -4}, {4, -4}, {4, 4}, {-4, 4}}, {{-4, -4}, {4, -4}, {4, 4}, {-4, 4}}}));
