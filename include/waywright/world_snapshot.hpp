@@ -47,8 +47,9 @@ inline constexpr char kEmptySnapshot[] =
 /// there is no replica that nobody reads, the call makes a new one. The first call makes a replica, because there is
 /// none yet. Later, a call makes one if readers hold more snapshots than before. After the first call, each operation
 /// also records the ids of the items that it changes, 16 bytes for each. Each snapshot that readers hold takes as much
-/// memory as a clone(). It can also keep one replica that the world has given up, until its last handle is released.
-/// World::shrink_to_fit() frees the replicas that the world keeps for later snapshots.
+/// memory as a clone(). It can also keep one older replica that World::publish() has given up instead of freeing it.
+/// When the last handle of the snapshot is released, this replica is freed. World::shrink_to_fit() frees the replicas
+/// that the world keeps for later snapshots.
 ///
 /// When the last handle of an immutable world is released or destroyed, World::publish() may use its memory again. If
 /// the world does not keep this memory, or has been destroyed, the thread with the last handle frees it. A snapshot can

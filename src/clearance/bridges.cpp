@@ -280,6 +280,7 @@ void Bridges::link_new_feet(const Triangulation& triangulation) {
   new_feet_.clear();
 }
 
+/// Removes a foot bridge. Requires: link_new_feet() has inserted it into the list of its wall.
 void Bridges::remove_foot(std::uint32_t foot) {
   const Foot removed = feet_[foot];
   std::uint32_t before = kNone;

@@ -46,8 +46,8 @@ class Bridges {
     std::uint32_t next;     ///< the next foot in the direction of `wall`, or kNone
   };
 
-  /// Finds all bridges. Cost: n log n in the number of faces, plus the faces that the diameters cross
-  /// (BridgeFinder::follow_diameter) and that the bridges' discs touch.
+  /// Finds all bridges. Cost: n log n in the number of faces, plus the faces that possible foot bridges cross
+  /// (BridgeFinder::follow_diameter), plus the faces that the discs of possible bridges touch.
   explicit Bridges(const Triangulation& triangulation);
   /// Copies the bridges. The copy belongs to a copy of the triangulation. Requires: no update is in progress.
   Bridges(const Bridges& other)
@@ -71,7 +71,8 @@ class Bridges {
 
   /// Updates the bridges to the triangulation. Requires: the operation of the triangulation is still open, and
   /// `touched` are the faces that it has touched, and `changed` contains all walls that it has inserted or removed, and
-  /// its tree. If memory runs out, nothing changes. Cost: depends on what changed and on the bridges near it.
+  /// ChangedWalls::make_tree() was called. If memory runs out, nothing changes. Cost: depends on what changed and on
+  /// the bridges near it.
   void update(const Triangulation& triangulation, const mesh::TouchedFaces& touched, const ChangedWalls& changed);
   /// Undoes the last update(). Requires: since then, neither commit() nor roll_back() was called. Allocates nothing.
   void roll_back();

@@ -215,10 +215,15 @@ class Components {
   void unlink_cover(Id component);
 
   // Covering with inserted polygons.
+  /// An inserted polygon, and its first corner in (x, y) order.
+  struct ToCover {
+    mesh::Vertex first_corner;
+    std::uint32_t polygon;
+  };
   void cover_with_all(const Triangulation& triangulation, std::span<const std::uint32_t> inserted);
-  void cover_with(const Triangulation& triangulation, std::uint32_t polygon, std::span<const std::uint32_t> inserted);
+  void cover_with(const Triangulation& triangulation, const ToCover& next, std::span<const std::uint32_t> inserted);
   template <class Winding>
-  void visit_boundary(const Triangulation& triangulation, const Winding& winding);
+  void visit_boundary(const Triangulation& triangulation, const Winding& winding, mesh::Vertex first_of_all);
   template <class Winding>
   void flood(const Triangulation& triangulation, const Winding& winding);
   void visit(mesh::Face f);
@@ -271,11 +276,6 @@ class Components {
     Set set;
     std::uint32_t index;
     bool is_node;
-  };
-  /// An inserted polygon, and its first corner in (x, y) order.
-  struct ToCover {
-    mesh::Vertex first_corner;
-    std::uint32_t polygon;
   };
   std::vector<ToCover> to_cover_;
   constraint::SlotSet are_in_covers_;  ///< the inserted polygons that the covers already contain

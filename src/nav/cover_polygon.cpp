@@ -6,7 +6,8 @@
 #include "nav/components.hpp"
 
 // Adds an inserted polygon to the covers of the components inside it. The code starts at the faces along the boundary
-// of the polygon and floods the faces inside. It does not flood polygons that are enclosed: it adds the inserted
+// of the polygon and floods the faces inside. A polygon is *enclosed* if it lies inside the inserted polygon, does not
+// touch its boundary, and both have one ring. The code does not flood polygons that are enclosed: it adds the inserted
 // polygon to the nodes of the tree of covers that stand for them. So the cost of a polygon around other polygons
 // depends only on the faces that no enclosed polygon covers, however many polygons are enclosed.
 
@@ -140,16 +141,16 @@ void Components::cover_with_all(const Triangulation& triangulation, std::span<co
                                             : p.polygon < q.polygon;
   });
   for (const ToCover& next : to_cover_) {
-    cover_with(triangulation, next.polygon, inserted);
+    cover_with(triangulation, next, inserted);
     are_in_covers_.insert(next.polygon);
   }
 }
 
-/// Adds the polygon to the cover of each component that lies inside it, by its fill rule. `inserted` lists all inserted
+/// Adds a polygon to the cover of each component that lies inside it, by its fill rule. `inserted` lists all inserted
 /// polygons, ascending. The covers already contain those of them that are in `are_in_covers_`.
-void Components::cover_with(const Triangulation& triangulation, std::uint32_t polygon,
+void Components::cover_with(const Triangulation& triangulation, const ToCover& next,
                             std::span<const std::uint32_t> inserted) {
-  covering_ = polygon;
+  covering_ = next.polygon;
   inserted_ = inserted;
   flood_ = next_mark_++;
   stack_.clear();
@@ -159,9 +160,9 @@ void Components::cover_with(const Triangulation& triangulation, std::uint32_t po
   tested_.clear();
   is_enclosed_.clear();
   knows_touching_ = false;
-  constraint::with_winding(triangulation, polygon, [&](const auto& winding_of_all) {
+  constraint::with_winding(triangulation, next.polygon, [&](const auto& winding_of_all) {
     const WindingOfSides winding(triangulation, winding_of_all, edges_);
-    visit_boundary(triangulation, winding);
+    visit_boundary(triangulation, winding, next.first_corner);
     cover_at_boundary_ = flooded_.empty() ? CoverTree::kEmpty : records_[flooded_.front()].cover;
     flood(triangulation, winding);
     for (std::size_t i = 0; i < enclosed_.size(); ++i) {
@@ -180,14 +181,14 @@ void Components::visit(Face f) {
   if (flooded_.empty() || flooded_.back() != id) flooded_.push_back(id);
 }
 
-/// Visits the faces inside the polygon along its sides.
+/// Visits the faces inside the polygon along its sides. `first_of_all` is the first corner of the polygon in (x, y)
+/// order.
 template <class Winding>
-void Components::visit_boundary(const Triangulation& triangulation, const Winding& winding) {
+void Components::visit_boundary(const Triangulation& triangulation, const Winding& winding, mesh::Vertex first_of_all) {
   triangulation.items().outline(covering_, outline_);
   sides_.clear();
   triangulation.items().for_each_side(covering_, [&](std::uint32_t slot) { sides_.push_back(slot); });
   may_enclose_ = outline_.ring_ends.size() == 1;
-  const mesh::Vertex first_of_all = outline_.corners[first_corner(triangulation, outline_.corners)];
   std::size_t ring_begin = 0;
   std::size_t sides_begin = 0;
   std::span<const mesh::Vertex> last_ring;
@@ -279,8 +280,8 @@ void Components::collect_touching(const Triangulation& triangulation) {
   if (budget == 0) may_enclose_ = false;
 }
 
-/// Visits the faces along the sides of an enclosed polygon, if no enclosed polygon covers them. The flood does not
-/// reach a face that enclosed polygons separate from the other faces.
+/// Visits the faces along the sides of an enclosed polygon, if no enclosed polygon covers them. Enclosed polygons can
+/// separate such a face from all faces that the flood has reached. Only this function finds it.
 void Components::visit_around(const Triangulation& triangulation, std::uint32_t enclosed) {
   Id last = kNone;
   const auto visit_if_not_enclosed = [&](Face f) {

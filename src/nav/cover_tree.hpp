@@ -15,8 +15,9 @@ namespace waywright::nav {
 
 /// The sets of polygons that cover components, as a tree. A node represents the set of its parent and one more polygon.
 /// So covers share memory: each of n nested polygons takes one node, although n polygons cover the innermost component.
-/// Several nodes can represent the same set. A node exists as long as it has a *reference*: a child, or a component
-/// that it covers. An undo log records all changes; roll_back() returns to the last begin().
+/// Several nodes can represent the same set. The *references* of a node are its children, and the components whose
+/// cover is the set of this node. A node without references exists only until free_unused(). An undo log records all
+/// changes; roll_back() returns to the last begin().
 class CoverTree {
  public:
   /// A node, or kEmpty for the empty set.
@@ -27,8 +28,8 @@ class CoverTree {
   /// polygon. Cost: O(1).
   [[nodiscard]] Set add(Set set, std::uint32_t polygon);
   /// Returns the set without the polygons in `removed` and with the polygons in `added`. Requires: `removed` ascends;
-  /// the set contains all of `removed` and none of `added`. Cost: the number of nodes up to the last of `removed`,
-  /// times the logarithm of their number; and O(1) for each of `added`.
+  /// the set contains all of `removed` and none of `added`. Cost: the number of nodes from the set up to the
+  /// farthest node with one of `removed`, times the logarithm of the length of `removed`; and O(1) for each of `added`.
   [[nodiscard]] Set change(Set set, std::span<const std::uint32_t> removed, std::span<const std::uint32_t> added);
   /// Writes those of the polygons that the set contains to `found`, ascending. Requires: `polygons` ascends. Cost: the
   /// size of the set times the logarithm of the number of polygons, or O(1) for each polygon if they cover nothing.

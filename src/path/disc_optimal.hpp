@@ -156,6 +156,7 @@ class DiscOptimal {
   [[nodiscard]] bool is_too_short(const Pivot& from, mesh::HalfEdge exit, const Edge& edge, double squared) const;
   [[nodiscard]] bool is_window_excluded(const Root& root, const Point& left, const Point& right, mesh::HalfEdge exit,
                                         const Edge& edge) const;
+  /// Decides the second reason of is_window_excluded(), for one ray of the window.
   [[nodiscard]] bool is_far_on_other_side(const Root& root, const Point& ray, const Edge& edge) const;
   std::uint32_t add_root(const Root& root);
   /// Makes the windows of the start, on the edges of the faces that contain it.
@@ -163,9 +164,13 @@ class DiscOptimal {
   /// Moves a window from face to face, until the search divides the window, drops it or computes its bound again.
   void follow(Window window);
   [[nodiscard]] bool divide(Window& window, Edge& edge, const Point& apex);
+  /// Adds a turn node for an end of the window's edge, through which a ray passes. `sees_apex` is false if the apex of
+  /// the face lies on this ray.
   bool note_turn(const Window& window, int turn, bool sees_apex);
+  /// Calls note_turn(), unless Ray::has_turn says that the search needs no turn node there.
   void pass_end(const Window& window, Ray& ray, int turn, bool sees_apex);
   void push_turn(std::uint32_t root, mesh::HalfEdge corner, int turn, const Tangent& line, std::uint32_t earlier);
+  /// Returns whether two chains of turn nodes (TurnNode::earlier) have the same pivots in the same order.
   [[nodiscard]] bool is_same_chain(std::uint32_t a, std::uint32_t b) const;
   /// Adds a turn node for the goal if the goal lies between the two rays of the window.
   void reach_goal(const Window& window);

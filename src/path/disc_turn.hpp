@@ -17,8 +17,9 @@ struct TurnLimit {
 };
 
 /// The margin for rounding of two tests. A path cannot turn so far if the order of a direction exceeds the limit by
-/// more than this. A path turns back if the cross product of its two directions, times the turn, is below minus this
-/// number. (For small angles, the order and this product are nearly equal.)
+/// more than this. A path *turns back* at a pivot if it would turn against the pivot's direction: the cross product of
+/// the directions of arrival and departure, times the turn, is below minus this number. (For small angles, the order
+/// and this product are nearly equal.)
 inline constexpr double kTurnsBack = 0x1p-23;
 
 /// Returns whether a direction lies beyond the limit of a turn: then a path that arrives at the pivot in the
@@ -42,7 +43,7 @@ inline constexpr double kTurnsBack = 0x1p-23;
 ///
 /// The *order* of a direction is a number that says how far the path has turned when it has this direction: 0 for the
 /// direction of arrival, 1 after 90 degrees, and 2 after 180 degrees. The direction from the vertex to the position of
-/// arrival has the order -1.
+/// arrival has the order -1, and the orders grow from there. (turning_order() gives them modulo 4, from 0 to 4.)
 template <class Visit>
 [[nodiscard]] TurnLimit turn_around(const DiscMap& map, const Pivot& pivot, const Point& arrival, mesh::HalfEdge corner,
                                     Visit&& visit) {
@@ -59,13 +60,13 @@ template <class Visit>
     order = end_order - 4.0 >= order - kTurnsBack ? std::max(order, end_order - 4.0) : end_order;
     visit(at, spoke, order);
     if (const auto foot = map.narrow_bridge_foot(at)) {
-      // A foot bridge does not limit the turn if its foot lies before the direction of arrival.
+      // A foot bridge does not limit the turn if its foot lies before the position of arrival.
       const double foot_order = turning_order(arrival, *foot - pivot.centre, turn);
       const double reach = (foot_order > order ? foot_order - 4.0 : foot_order) + 1.0;
       if (reach >= 0.0) return {reach, mesh::kNoHalfEdge};
     }
     if (order > 2.0) break;
-    // The path can turn until it runs along a wall, or until the disc touches the other end of a narrow gap.
+    // The path can turn until it runs along a wall, or until the disc's centre reaches a narrow gap.
     if (map.is_closed(spoke)) return {mesh.is_fixed(spoke) ? order : order + 1.0, mesh.twin(spoke)};
     at = turn == kTurnLeft ? spoke : mesh.previous_around(at);
   } while (at != corner);

@@ -298,7 +298,6 @@ TEST(Abstraction, EqualSolidsAreCountedOneByOne) {
   EXPECT_EQ(fault_of(reduced), std::nullopt);
 }
 
-/// A wall with a gap that opens and closes, deep in a maze whose component is one tree.
 TEST(Abstraction, AFaceBesideManyEqualSolidsHasNoneOfThem) {
   Reduced reduced(kTen);
   for (int i = 0; i < 50; ++i) reduced.insert(rectangle(4, 4, 6, 6));
@@ -308,6 +307,7 @@ TEST(Abstraction, AFaceBesideManyEqualSolidsHasNoneOfThem) {
   EXPECT_TRUE(reduced.abstraction().components().is_covered(reduced.face_at({4.1, 5})));
 }
 
+/// A wall with a gap that opens and closes, deep in a maze whose component is one tree.
 TEST(Abstraction, RingsAreInsertedAndRemovedInATree) {
   Reduced reduced({{0, 0}, {100, 100}});
   std::vector<ItemId> walls;
