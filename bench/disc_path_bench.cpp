@@ -50,6 +50,15 @@ constexpr std::array<double, 5> kRadii = {0.25, 0.5, 1.0, 2.0, 4.0};
 /// The disc and the point agent take turns, this many times. The shorter time of each counts.
 constexpr int kPasses = 3;
 
+/// Moves the ends of the queries, which are corners of tiles, to the centres of these tiles, where small discs fit.
+void move_to_centres(std::vector<KnownPath>& queries) {
+  const auto centre = [](const Point& tile) { return Point{tile.x + 0.5, tile.y + 0.5}; };
+  for (KnownPath& query : queries) {
+    query.start = centre(query.start);
+    query.goal = centre(query.goal);
+  }
+}
+
 /// Returns the queries for which the disc has a path.
 std::vector<KnownPath> queries_with_path(const World& world, const std::vector<KnownPath>& queries, double radius) {
   QueryContext context;
@@ -78,8 +87,9 @@ double time_queries(const World& world, const std::vector<KnownPath>& queries, d
 void time_disc_paths(benchmark::State& state, const Map& map, PathAlgorithm algorithm, double radius) {
   const auto workload = read_real_scene(map.map);
   if (!workload) return skip_without_data(state, map.map);
-  const auto queries = read_known_paths(map.queries);
+  auto queries = read_known_paths(map.queries);
   if (!queries) return skip_without_data(state, map.queries);
+  move_to_centres(*queries);
   const World world = world_of(*workload, {.keep_bridges = true});
   const std::vector<KnownPath> found = queries_with_path(world, *queries, radius);
   if (found.empty()) return state.SkipWithError("the disc has no path for any query");

@@ -35,8 +35,9 @@ enum class ErrorCode : std::uint8_t {
   /// A number of rings or points that the kind of the item does not allow, for example 0. Or a kind or a fill rule that
   /// is none of the values of its type.
   bad_shape,
-  /// A change that makes the mesh too large. There are two limits: 2^27 for the number of vertices plus the number
-  /// of points of the new shapes, and 350 million vertices including the crossings that the change makes.
+  /// A change that makes the mesh too large. There are two limits. The number of vertices plus the number of points
+  /// of the new shapes may be at most 2^27. With the crossings that the change makes, the mesh may have at most 350
+  /// million vertices.
   too_large,
   too_many_vertices,  ///< an operation that would make more vertices than WorldOptions::new_vertex_limit allows
   world_gone,         ///< the world of a PathSearch no longer exists

@@ -71,9 +71,9 @@ struct PathQuery {
   ///
   /// The library decides exactly whether the disc fits at an end, and whether it passes a gap. It computes everything
   /// else in doubles. Let m be the largest magnitude of a coordinate of the domain, and r the radius. Then a path may
-  /// come nearer to a wall than r by the largest of three numbers: m / 2^50, r / 2^34, and the rounding error of a
-  /// crossing. If r is below m / 2^48, the search may find no path although there is one. So choose a domain that is
-  /// not much larger than the area of the items.
+  /// come nearer to a wall than r, but at most by the largest of three numbers: m / 2^50, r / 2^34, and the rounding
+  /// error of a crossing. If r is below m / 2^48, the search may find no path although there is one. So choose a domain
+  /// that is not much larger than the area of the items.
   double radius = 0.0;
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   PathBudget budget{};
@@ -233,8 +233,8 @@ struct WAYWRIGHT_API Path {
   std::size_t expansions = 0;
   /// The time that the search took. It is 0 if PathQuery::wants_time is false.
   std::chrono::nanoseconds time{0};
-  std::optional<MovedEnd> moved_start;  ///< set if the search moved the start; `points` starts at moved_start->to
-  std::optional<MovedEnd> moved_goal;   ///< set if the search moved the goal; `points` ends at moved_goal->to
+  std::optional<MovedEnd> moved_start;  ///< set if the search moved the start; the path starts at moved_start->to
+  std::optional<MovedEnd> moved_goal;   ///< set if the search moved the goal; the path ends at moved_goal->to
   /// The polygons in whose interior the blocked end lies, ascending. With a radius above 0, the list contains all items
   /// that stop the disc there: see DiscFit::items. The list is empty unless the status is start_blocked or
   /// goal_blocked.

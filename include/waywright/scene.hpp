@@ -37,7 +37,7 @@ struct Scene {
 enum class SceneFormat : unsigned char {
   script,         ///< `.wws`, the world script: the items that are left after all changes; queries are ignored
   movingai,       ///< `.map` of Moving AI: blocked tiles become polygons
-  triangle_poly,  ///< `.poly` of Triangle: segments, and points for the vertices that lie on no segment
+  triangle_poly,  ///< `.poly` of Triangle: segments, and points for the vertices that are no end of a segment
   triangle_node,  ///< `.node` of Triangle: points
   saved_world,    ///< `.wwb`, a saved world: its domain and its items; see save_world
 };
@@ -68,12 +68,13 @@ enum class SceneFormat : unsigned char {
 /// Cost: linear in the length of the text.
 [[nodiscard]] WAYWRIGHT_API Result<Scene> parse_movingai_map(std::string_view text, std::string_view name);
 
-/// Reads a `.poly` file of Triangle from text. The vertices that lie on no segment become points, then the segments of
-/// the file become segments. Ids count from 1 in this order. If the vertex list of the file is empty, the vertices come
-/// from `node_text`, the text of the `.node` file of the same name. Ids in the file count up by 1 from 0 or 1. The
-/// function reads and checks attributes, boundary markers, holes and regions, and then ignores them. The domain is the
-/// bounding box of the vertices, enlarged in each of the four directions by an eighth of its larger extent, but at
-/// least by 1. Each bound is then rounded outwards to a multiple of a power of two, so that it has few digits.
+/// Reads a `.poly` file of Triangle from text. The vertices that are no end of a segment become points, then the
+/// segments of the file become segments. Ids count from 1 in this order. If the vertex list of the file is empty, the
+/// vertices come from `node_text`, the text of the `.node` file of the same name. Ids in the file count up by 1 from 0
+/// or 1. The function reads and checks attributes, boundary markers, holes and regions, and then ignores them. The
+/// domain is the bounding box of the vertices, enlarged in each of the four directions by an eighth of its larger
+/// extent, but at least by 1. Each bound is then rounded outwards to a multiple of a power of two, so that it has few
+/// digits.
 /// Errors: malformed, coordinate_range.
 /// Cost: linear in the length of the text.
 [[nodiscard]] WAYWRIGHT_API Result<Scene> parse_triangle_poly(std::string_view text, std::string_view name,

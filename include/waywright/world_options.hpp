@@ -21,11 +21,13 @@ struct WorldOptions {
   /// cover them, and which triangles lie in dead ends. Without the abstraction, an operation costs less, and a world
   /// takes 10 bytes less for each vertex (up to 18 bytes less if operations have changed walls in all parts of the
   /// world). But then many path queries enter far more triangles, each query that needs the polygons at a point takes
-  /// time that grows with the world, and the world does not support PathAlgorithm::tra for point agents.
+  /// time that grows with the world, and PathAlgorithm::tra, World::would_disconnect and World::nearest_fit with
+  /// a goal return not_supported for point agents.
   bool keep_abstraction = true;
   /// Whether the world maintains the bridges of its walls: the shortest connections between two walls at each gap. They
-  /// say how wide the gaps are, for discs of any radius. World::widest_path and path queries with a radius above 0 need
-  /// them. An operation then usually takes two to three times as long, because it also updates the bridges near its
+  /// say how wide the gaps are, for discs of any radius. World::bridges, World::widest_path and path queries with a
+  /// radius above 0 need them, and World::would_disconnect and World::nearest_fit with a goal need them for such a
+  /// radius. An operation then usually takes two to three times as long, because it also updates the bridges near its
   /// changes. A world takes about 60 bytes more for each vertex. If an item is a point or has a ring with only one
   /// corner, the world also keeps a second mesh, which contains only the walls, and each operation changes both meshes.
   /// World::shrink_to_fit() drops the second mesh if no item needs it any more. The first such item

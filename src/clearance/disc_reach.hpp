@@ -41,8 +41,8 @@ class DiscReach {
   double radius_ = 0.0;
   memory::ZeroedArray<std::uint32_t> states_;  ///< by key of a gate: the number of the query, plus the state
   memory::Stamp stamp_;
-  std::vector<CellEdge> from_goal_;  ///< wide gates of reached cells that the search has not crossed yet
-  std::vector<CellEdge> from_cell_;  ///< wide gates of cells that the search from the cell has entered and not crossed
+  std::vector<CellEdge> from_goal_;     ///< wide gates of reached cells that the search has not crossed yet
+  std::vector<CellEdge> from_cell_;     ///< the same for the cells that the search from the cell has entered
   std::vector<std::uint32_t> entered_;  ///< the keys with the state `entered`
 };
 

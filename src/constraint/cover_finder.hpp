@@ -62,7 +62,8 @@ void faces_at(const ExactTriangulation& triangulation, const locate::Located& lo
 
 /// The winding number of the polygon in the face of `h`. For an even-odd polygon only its parity counts. The function
 /// crosses the same edges as CoverFinder::of_face. If `first_corner` is the polygon's first corner in (x, y) order, the
-/// function does not go to the border of the domain: it ends at the first vertex that comes before this corner.
+/// function does not go to the border of the domain: it ends as soon as it reaches a vertex that comes before this
+/// corner in (x, y) order.
 [[nodiscard]] std::int32_t winding_number(const ExactTriangulation& triangulation, mesh::HalfEdge h,
                                           std::uint32_t polygon, mesh::Vertex first_corner = mesh::kNoVertex);
 

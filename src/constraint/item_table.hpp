@@ -109,12 +109,12 @@ class ItemTable {
   }
   /// Prefetches the bucket at which the search for an id will start. The id will soon be added.
   void prefetch(ItemId id) const;
-  /// Prefetches what contains(id) reads first. The next function prefetches the sides of an item, or some of them.
-  /// Requires: the item is not a point.
+  /// Prefetches what contains(id) reads first.
   WAYWRIGHT_ALWAYS_INLINE void prefetch_record(ItemId id) const {
     if (id.value < items_.size()) base::prefetch_to_write(&items_[static_cast<std::size_t>(id.value)]);
     prefetch(id);
   }
+  /// Prefetches the sides of an item, or some of them. Requires: the item is not a point.
   WAYWRIGHT_ALWAYS_INLINE void prefetch_sides(std::uint32_t item) const {
     base::prefetch_to_write(&sides_[items_[item]]);
   }

@@ -11,7 +11,8 @@ namespace waywright::constraint {
 /// Says whether the fixed edges that an operation makes may divide a region into two. The new edges form connected
 /// sets. They divide nothing if each of these sets is a tree that shares at most one vertex with older fixed edges: a
 /// connected region stays connected if such a tree is cut out of it. If a new vertex splits a new edge, the halves of
-/// the edge are new, too. Then the answer is always true, because most walls that end at such a vertex close a circle.
+/// the edge are new, too. The vertex is there because another side of the operation crosses the edge, and this side and
+/// the edge usually enclose an area together. So the class makes no further test: the answer is true.
 ///
 /// The answer may be true for edges that divide nothing, for example for many edges. It is never false for edges that
 /// divide a region.

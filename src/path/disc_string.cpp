@@ -13,8 +13,8 @@ namespace {
 /// If the code adds this number to an index, the index becomes smaller by 1, because unsigned numbers wrap around.
 constexpr std::size_t kBackwards = static_cast<std::size_t>(-1);
 
-/// The diameter of the disc is 2 radii. The rest of this number allows for rounding.
-constexpr double kSurelyInside = 2.125;
+/// In radii. The diameter of the disc is 2 radii. The rest of this number allows for rounding.
+constexpr double kDiameterAndMargin = 2.125;
 
 double coordinate_sum(const Point& v) { return std::abs(v.x) + std::abs(v.y); }
 
@@ -87,7 +87,7 @@ bool DiscString::is_across(const Pivot& end, const Pivot& other) {
   const Point to_end_centre = end.centre - row_[apex_].centre;
   const Point to_other_centre = other.centre - row_[apex_].centre;
   const double angle = -other.turn * cross(to_other_centre, to_end_centre);
-  if (angle > kSurelyInside * map_->radius * (coordinate_sum(to_end_centre) + coordinate_sum(to_other_centre))) {
+  if (angle > kDiameterAndMargin * map_->radius * (coordinate_sum(to_end_centre) + coordinate_sum(to_other_centre))) {
     return false;
   }
   const auto to_end = tangent(apex(), end, map_->radius);

@@ -59,7 +59,12 @@ class DiscString {
   [[nodiscard]] Stop stop_at(mesh::HalfEdge corner, int turn) const;
 
   [[nodiscard]] bool straighten();
-  enum class Step { forward, again, failed };
+  /// What straighten() does after the test of a stop.
+  enum class Step {
+    forward,  ///< the stop passed the test: go to the next one
+    again,    ///< the test changed the string: test from the same stop again
+    failed,   ///< give up
+  };
   [[nodiscard]] Step test(std::size_t i);
   [[nodiscard]] Step replace_hidden(std::size_t i, mesh::HalfEdge wall);
   [[nodiscard]] Step insert_obstacle(std::size_t i);

@@ -23,9 +23,9 @@ class FreePositions {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// The faces with which a free position must be connected: only faces in the components of these faces count as open.
+  /// The faces with which a free position must be connected: only faces in the components of these faces are allowed.
   struct Connection {
-    const nav::Components* components = nullptr;  ///< null if every open face counts as open
+    const nav::Components* components = nullptr;  ///< null if every open face is allowed
     const std::vector<mesh::HalfEdge>* faces = nullptr;
 
     /// Returns whether the face of `h` is connected with one of the faces.
@@ -34,11 +34,12 @@ class FreePositions {
 
   /// Returns the nearest free position, rounded to a free point, or nothing if its distance is larger than `limit`. An
   /// exact computation decides which position is nearest and whether it is near enough. Of two equally near positions,
-  /// the function takes the first in (x, y) order. It rounds the coordinates of this position. The answer is the
-  /// nearest free point among the result and the eight points around it. If none of them is free, the position lies in
-  /// a narrow wedge between walls. Then the function looks for a free point farther inside the wedge. It compares this
-  /// point with the next positions, on other edges. Requires: no face around `location` is open, `point` lies at
-  /// `location`, `limit` is positive. Cost: the covered faces within the distance of the answer, or of `limit`.
+  /// the function takes the first in (x, y) order. It rounds the coordinates of this position. The candidates for
+  /// the answer are the rounded position and the eight points around it. The answer is the free one that is nearest to
+  /// the rounded position. If none of them is free, the position lies in a narrow wedge between walls. Then the
+  /// function looks for a free point farther inside the wedge. It compares this point with the next positions, on other
+  /// edges. Requires: no face around `location` is open, `point` lies at `location`, `limit` is positive. Cost: the
+  /// covered faces within the distance of the answer, or of `limit`.
   [[nodiscard]] std::optional<Point> nearest(const Triangulation& triangulation, constraint::CoverFinder& cover_finder,
                                              const Point& point, const locate::Located& location, double limit,
                                              const Connection& connection);

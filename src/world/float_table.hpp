@@ -51,8 +51,9 @@ class FloatFrame {
   double slack_;
 };
 
-/// Rows of `kFields` floats, in blocks of lanes. A test of all rows computes several lanes at
-/// once, and reads little memory.
+/// Rows of `kFields` floats, in blocks of 16 rows. A block stores the 16 values of the first field, then the 16 values
+/// of the next field, and so on. The *lane* of a row is its place in its block, from 0 to 15. A test of all rows
+/// computes several lanes at once, and reads little memory.
 template <std::size_t kFields>
 class FloatTable {
  public:

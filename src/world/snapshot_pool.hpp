@@ -105,7 +105,7 @@ class SnapshotPool {
   void count_memory(MemoryUse& use) const;
 
  private:
-  /// The largest number of free replicas that the pool keeps for later snapshots.
+  /// If the pool has more free replicas than this number, hand_out() gives up one of them.
   static constexpr std::size_t kMostFree = 2;
   /// The largest number of replicas that the pool owns. The last reader of an older replica frees it.
   static constexpr std::size_t kMost = 16;
