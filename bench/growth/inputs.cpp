@@ -370,6 +370,44 @@ void rooms_at_once(std::size_t n, Meter& meter) {
   meter.stop();
 }
 
+/// A room of n walls without a door. A disc in its middle looks for the nearest place from which it can move to a goal
+/// outside the room.
+void fit_outside_a_room(std::size_t n, Meter& meter) {
+  World world = World::create(kGrowthDomain, {.keep_bridges = true}).value();
+  std::vector<Point> room = circle(100, n);
+  room.push_back(room.front());
+  static_cast<void>(world.insert(Shape::polyline(room)).value());
+  meter.start();
+  static_cast<void>(world.nearest_fit({.point = {0, 0}, .radius = 1, .goal = Point{500, 0}}).value());
+  meter.stop();
+}
+
+/// The points lie in a corner of the rectangle around the moving disc, but outside the disc.
+void sweep_beside_points(std::size_t n, Meter& meter) {
+  World world = World::create(kGrowthDomain).value();
+  Random random(7);
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < n; ++i) points.push_back({-95.0 + 20.0 * random.unit(), -95.0 + 20.0 * random.unit()});
+  static_cast<void>(world.insert_points(points).value());
+  meter.start();
+  for (std::size_t i = 0; i < kRepetitions; ++i) static_cast<void>(world.sweep_disc({0, 0}, {1, 0}, 100).value());
+  meter.stop();
+}
+
+/// One operation inserts all squares, the largest first.
+void nested_squares_around_boxes(std::size_t n, Meter& meter) {
+  World world = World::create(kGrowthDomain).value();
+  insert_boxes(world, n);
+  std::vector<Change> changes;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double half = 810.0 + 180.0 * static_cast<double>(n - i) / static_cast<double>(n);
+    changes.push_back(Change::insert(square({0, 0}, half)));
+  }
+  meter.start();
+  static_cast<void>(world.apply(changes).value());
+  meter.stop();
+}
+
 constexpr Input kInputs[] = {
     {"nested_polygons_outermost_first", 200, false, "n nested polygons of 100 corners, removed outermost first",
      nested_polygons_outermost_first},
@@ -400,6 +438,11 @@ constexpr Input kInputs[] = {
     {"hub_removed", 10000, false, "a vertex with n neighbours, removed", hub_removed},
     {"wall_between_curves", 10000, false, "a segment across n edges between two curves, inserted", wall_between_curves},
     {"rooms_at_once", 2000, false, "n segments across a hall, inserted by one operation", rooms_at_once},
+    {"nested_squares_around_boxes", 1000, false, "n nested squares around n boxes, inserted by one operation",
+     nested_squares_around_boxes},
+    {"fit_outside_a_room", 1000, false, "the nearest fit with a goal, from a room of n walls without a door",
+     fit_outside_a_room},
+    {"sweep_beside_points", 10000, true, "a disc that moves past n points, without a wall", sweep_beside_points},
     {"path_round_a_polygon", 10000, false, "the shortest path round a convex polygon of n corners",
      path_round_a_polygon},
     {"small_in_large_domain", 20000, false, "n points of a square 1,000 wide in a domain of ±1e15, each with a query",

@@ -388,9 +388,9 @@ class WAYWRIGHT_API World {
   /// several walls at once, or passes a wall at a distance of exactly the radius. With the radius 0, the answer is the
   /// answer of ray().
   /// Errors: coordinate_range, out_of_domain, bad_radius.
-  /// Cost: the point location of `from`, and n log n in the number n of triangles that the disc meets before it touches
-  /// a wall. Allocates nothing if `context` and `hit` have been used for a query of the same size before. One
-  /// exception: if the radius is no multiple of 2^-152 and doubles cannot decide, exact arithmetic allocates.
+  /// Cost: the point location of `from`, and n log n in the number n of triangles that a disc 1.07 times as large meets
+  /// before the touch. Allocates nothing if `context` and `hit` have been used for such a query before. One exception:
+  /// if the radius is no multiple of 2^-152 and doubles cannot decide, exact arithmetic allocates.
   [[nodiscard]] Result<void> sweep_disc(Point from, Point to, double radius, QueryContext& context, RayHit& hit) const;
   /// @copydoc sweep_disc(Point, Point, double, QueryContext&, RayHit&) const
   [[nodiscard]] Result<RayHit> sweep_disc(Point from, Point to, double radius) const;
@@ -403,9 +403,9 @@ class WAYWRIGHT_API World {
   /// (WorldOptions::keep_bridges); not_supported, if the query has a goal and the radius 0, and the world does not keep
   /// its abstraction.
   /// Cost: n log n in the walls that are not farther away than the answer's distance plus the radius, and for each of
-  /// them the triangles near the positions where the disc touches it. With a goal, also the gaps that two searches pass
-  /// until they meet. Allocates nothing if `context` has been used for a query of the same size before; if the radius
-  /// is 0 and the point is blocked, exact arithmetic may allocate.
+  /// them the triangles near the positions where the disc touches it. With a goal, also the walls and gaps around the
+  /// areas that two searches enter until they meet. Allocates nothing if `context` has been used for a query of the
+  /// same size before; if the radius is 0 and the point is blocked, exact arithmetic may allocate.
   [[nodiscard]] Result<void> nearest_fit(const NearestFitQuery& query, QueryContext& context, NearestFit& fit) const;
   /// @copydoc nearest_fit(const NearestFitQuery&, QueryContext&, NearestFit&) const
   [[nodiscard]] Result<NearestFit> nearest_fit(const NearestFitQuery& query) const;
@@ -413,8 +413,8 @@ class WAYWRIGHT_API World {
   /// Finds the largest disc that can move from `start` to `goal`, and the gap that stops every larger disc. All
   /// comparisons are exact. The result does not say whether the disc fits at the two ends: fit_disc() says this.
   /// Errors: coordinate_range, out_of_domain; no_bridges, if the world does not keep its bridges.
-  /// Cost: the walls nearest to both ends, and n log n in the number of gaps at least as wide as the narrowest gap of
-  /// the widest path. Allocates nothing if `context` and `widest` have been used for a query of the same size before.
+  /// Cost: n log n in the walls and gaps around the areas that two searches enter until they meet, through gaps at
+  /// least as wide as the answer. Allocates nothing if `context` and `widest` have been used for such a query before.
   [[nodiscard]] Result<void> widest_path(Point start, Point goal, QueryContext& context, WidestPath& widest) const;
   /// @copydoc widest_path(Point, Point, QueryContext&, WidestPath&) const
   [[nodiscard]] Result<WidestPath> widest_path(Point start, Point goal) const;

@@ -85,9 +85,10 @@ exact::Gap Cells::canonical_gap(const CellEdge& gate) const {
   return result;
 }
 
-std::uint32_t Cells::key(const CellEdge& gate) const {
-  if (gate.kind == Kind::bridge) return number(gate.h);
-  return 3 * mesh_.face_slots() + 2 * gate.foot + (gate.kind == Kind::foot_up ? 1 : 0);
+// Bridges are no walls, so the half-edges of both can share one range of numbers.
+std::uint32_t Cells::key(const CellEdge& edge) const {
+  if (edge.foot == Bridges::kNone) return number(edge.h);
+  return 3 * mesh_.face_slots() + 2 * edge.foot + (edge.kind == Kind::foot_up ? 1 : 0);
 }
 
 }  // namespace waywright::clearance

@@ -61,8 +61,10 @@ class Cells {
   /// between two vertices starts at the first of them in (x, y) order. A foot bridge ends on the line of the first
   /// side, in the order of positions, that lies on its wall.
   [[nodiscard]] exact::Gap canonical_gap(const CellEdge& gate) const;
-  /// A number that is different for each gate in each of its two directions. All numbers are below key_count().
-  [[nodiscard]] std::uint32_t key(const CellEdge& gate) const;
+  /// A number that only one cell has: edges of different cells have different numbers. Each gate has a number of its
+  /// own, and so has each piece of a wall that starts at a vertex. A piece that starts at a foot has the number of the
+  /// gate before it. All numbers are below key_count().
+  [[nodiscard]] std::uint32_t key(const CellEdge& edge) const;
   [[nodiscard]] std::size_t key_count() const {
     return std::size_t{3} * mesh_.face_slots() + 2 * bridges_.foot_slots();
   }

@@ -5,7 +5,6 @@
 namespace waywright::clearance {
 
 void DiscReach::begin(const Cells& cells, const CellEdge& goal, double radius) {
-  goal_ = goal;
   radius_ = radius;
   states_.grow_to(cells.key_count());
   stamp_.next(4, states_);
@@ -13,32 +12,18 @@ void DiscReach::begin(const Cells& cells, const CellEdge& goal, double radius) {
   enter(cells, goal, State::reached, from_goal_);
 }
 
-DiscReach::State DiscReach::state(const Cells& cells, const CellEdge& gate) const {
-  const std::uint32_t entry = states_[cells.key(gate)];
+DiscReach::State DiscReach::state(const Cells& cells, const CellEdge& edge) const {
+  const std::uint32_t entry = states_[cells.key(edge)];
   return entry < stamp_.value() ? State::unknown : static_cast<State>(entry - stamp_.value());
-}
-
-DiscReach::State DiscReach::state_of_cell(const Cells& cells, const CellEdge& edge) const {
-  CellEdge at = edge;
-  do {
-    if (at == goal_) return State::reached;
-    if (at.is_gate()) {
-      if (const State known = state(cells, at); known != State::unknown) return known;
-    }
-    at = cells.next(at);
-  } while (at != edge);
-  return State::unknown;
 }
 
 /// Gives a cell its state, and appends its wide gates to `gates`.
 void DiscReach::enter(const Cells& cells, const CellEdge& edge, State state, std::vector<CellEdge>& gates) {
   CellEdge at = edge;
   do {
-    if (at.is_gate()) {
-      set_state(cells.key(at), state);
-      if (state == State::entered) entered_.push_back(cells.key(at));
-      if (exact::compare_to_diameter(cells.gap(at), radius_) >= 0) gates.push_back(at);
-    }
+    set_state(cells.key(at), state);
+    if (state == State::entered) entered_.push_back(cells.key(at));
+    if (at.is_gate() && exact::compare_to_diameter(cells.gap(at), radius_) >= 0) gates.push_back(at);
     at = cells.next(at);
   } while (at != edge);
 }
@@ -50,7 +35,7 @@ void DiscReach::finish(State state) {
 }
 
 bool DiscReach::is_reached(const Cells& cells, const CellEdge& edge) {
-  const State known = state_of_cell(cells, edge);
+  const State known = state(cells, edge);
   if (known != State::unknown) return known == State::reached;
   entered_.clear();
   from_cell_.clear();

@@ -19,11 +19,11 @@ class DiscReach {
   /// Returns whether the disc can move from the cell of `edge` to the goal. The decision is exact. Cost: two searches
   /// run alternately, one from the goal and one from the cell. They stop when they meet, or when one of them has
   /// entered all cells that it can reach. The object keeps the state of each entered cell, so no later call for the
-  /// same goal enters this cell again.
+  /// same goal enters this cell again: a call for one of its edges costs O(1).
   [[nodiscard]] bool is_reached(const Cells& cells, const CellEdge& edge);
 
  private:
-  /// What the searches know about a cell. All gates of a cell have the same state.
+  /// What the searches know about a cell. All edges of a cell have the same state.
   enum class State : std::uint8_t {
     unknown,
     reached,      ///< the disc can move from the cell to the goal
@@ -31,15 +31,13 @@ class DiscReach {
     entered,      ///< the present search from a cell has entered the cell, and the result is not known yet
   };
 
-  [[nodiscard]] State state(const Cells& cells, const CellEdge& gate) const;
+  [[nodiscard]] State state(const Cells& cells, const CellEdge& edge) const;
   void set_state(std::uint32_t key, State state) { states_[key] = stamp_.value() + static_cast<std::uint32_t>(state); }
-  [[nodiscard]] State state_of_cell(const Cells& cells, const CellEdge& edge) const;
   void enter(const Cells& cells, const CellEdge& edge, State state, std::vector<CellEdge>& gates);
   void finish(State state);
 
-  CellEdge goal_;
   double radius_ = 0.0;
-  memory::ZeroedArray<std::uint32_t> states_;  ///< by key of a gate: the number of the query, plus the state
+  memory::ZeroedArray<std::uint32_t> states_;  ///< by key of an edge: the number of the query, plus the state
   memory::Stamp stamp_;
   std::vector<CellEdge> from_goal_;     ///< wide gates of reached cells that the search has not crossed yet
   std::vector<CellEdge> from_cell_;     ///< the same for the cells that the search from the cell has entered

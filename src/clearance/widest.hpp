@@ -32,7 +32,8 @@ struct Narrowest {
 class WidestSearch {
  public:
   /// Returns the narrowest gate of the widest connection from the cell of `start` to the cell of `goal`. All
-  /// comparisons of lengths are exact. Cost: n log n in the number of gates of the cells that it enters.
+  /// comparisons of lengths are exact. Cost: the borders of the cells that it enters, and n log n
+  /// in the number of gates on these borders.
   [[nodiscard]] Narrowest find(const Cells& cells, const CellEdge& start, const CellEdge& goal);
 
  private:

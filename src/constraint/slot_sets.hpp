@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "constraint/mix.hpp"
+#include "memory/count.hpp"
 
 // Sets of items, as lists of their slots. The cost of making a set is the cost of sorting its list, however many
 // polygons overlap.
@@ -57,6 +58,10 @@ class SlotSet {
     for (const std::uint32_t bucket : buckets_) table_[bucket] = kEmpty;
     buckets_.clear();
   }
+
+  void count_spare(MemoryUse& use) const { memory::count_spare(use, table_, buckets_); }
+  /// Empties the set and frees its memory.
+  void release() noexcept { memory::release(table_, buckets_); }
 
  private:
   static constexpr std::uint32_t kEmpty = 0xffffffff;

@@ -10,6 +10,7 @@
 
 #include "base/ieee.hpp"
 #include "constraint/rounding.hpp"
+#include "constraint/segment_distance.hpp"
 #include "exact/gap.hpp"
 
 namespace waywright::constraint {
@@ -24,10 +25,10 @@ namespace {
 /// Finds out in doubles which edges a moving disc may meet, and how early. It may name edges that the disc does not
 /// meet, but it misses none.
 ///
-/// The disc lies in a box around the segment of its centre, wider than the segment by the radius in each direction. In
-/// coordinates along and across the segment, earliest() clips an edge to this box. All numbers have errors of less than
-/// 2^-49 times the sum of the magnitudes, and the box is wider than the exact one by 2^-46 times this sum. If a vertex
-/// is a crossing, its coordinates are rounded, and the box is wider by this error, too.
+/// In coordinates along and across the segment of the centre, earliest() clips an edge to the strip that the disc
+/// covers, and then moves the disc forward until it is near the edge. All numbers have errors of less than 2^-49 times
+/// the sum of the magnitudes, and the disc is larger than the exact one by 2^-46 times this sum. If a vertex is a
+/// crossing, its coordinates are rounded, and the disc is larger by this error, too.
 class Reach {
  public:
   Reach(const ExactTriangulation& triangulation, const Sweep& sweep)
@@ -41,8 +42,9 @@ class Reach {
     if (length_ > 0.0) direction_ = {d.x / length_, d.y / length_};
   }
 
-  /// Returns a lower bound of the distance that the centre has moved when the disc first meets the edge. Returns
-  /// nothing if the disc does not meet the edge.
+  /// Returns a lower bound of the distance that the centre has moved when the disc first meets the edge. At this
+  /// distance, a disc with a radius 1.07 times as large already meets the edge. Returns nothing if the disc does not
+  /// meet the edge.
   [[nodiscard]] std::optional<double> earliest(HalfEdge h) const {
     const Point p = position(geometry_.rounded(number(mesh_.origin(h))));
     const Point q = position(geometry_.rounded(number(mesh_.target(h))));
@@ -65,8 +67,7 @@ class Reach {
     const double at_last = p.x + last * (q.x - p.x);
     const double least = std::min(at_first, at_last) - slack;
     const double most = std::max(at_first, at_last) + slack;
-    if (most < -limit || least > length_ + limit) return std::nullopt;
-    return std::max(0.0, least - limit);
+    return move_to(p, q, std::max(0.0, least - limit), most, limit);
   }
 
   /// Returns an upper bound of the distance that the centre has moved when it is at `centre`. Requires:
@@ -78,8 +79,24 @@ class Reach {
   }
 
  private:
+  /// Moves the disc forward from `moved` until its distance from the segment from `p` to `q` is small. The disc can
+  /// always move by its distance from the segment without touching it. `most` is the position along the segment of the
+  /// centre beyond which the strip contains nothing of `p` - `q`.
+  [[nodiscard]] std::optional<double> move_to(const Point& p, const Point& q, double moved, double most,
+                                              double limit) const {
+    for (;;) {
+      if (moved > length_) return std::nullopt;
+      const double distance = std::sqrt(squared_distance_to_segment({moved, 0.0}, p, q));
+      if (distance > limit && moved >= most) return std::nullopt;
+      if (distance <= kNear * limit) return moved;
+      moved += distance - limit;
+    }
+  }
+
   /// No distance in the range of coordinates is above 2^101.5. So all larger radii have the same answer.
   static constexpr double kLargestRadius = 0x1p103;
+  /// In radii: move_to() stops if the edge is not farther from the centre than this.
+  static constexpr double kNear = 1.0625;
 
   /// The position along and across the segment.
   [[nodiscard]] Point position(const Point& point) const {

@@ -16,7 +16,7 @@ namespace waywright::constraint {
 class SweptDisc {
  public:
   /// Requires: both ends of the sweep lie in the domain, and its radius is finite and positive. Cost: n log n in the
-  /// number n of faces that the disc meets before it touches a wall.
+  /// number n of faces that a disc 1.07 times as large meets before the disc touches a wall.
   void find_first_wall(const ExactTriangulation& triangulation, const exact::Sweep& sweep, RayHit& hit);
 
  private:

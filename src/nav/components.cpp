@@ -230,8 +230,11 @@ void Components::count_memory(MemoryUse& use) const {
   covers_.count_memory(use, &MemoryUse::abstraction);
   memory::count_spare(use, faces_, groups_, group_sets_, regions_, old_neighbours_, searches_, search_sets_,
                       alternating_, old_parts_, piece_faces_, stack_, flooded_, reached_, around_, sides_, polygons_,
-                      contained_, removed_, added_, to_cover_, enclosed_, covered_, edges_);
+                      contained_, removed_, added_, to_cover_, enclosed_, covered_, edges_, outline_.corners,
+                      outline_.ring_ends);
   for (const Search& search : searches_) memory::count_spare(use, search.found);
+  for (const constraint::SlotSet* const set : {&are_in_covers_, &touching_, &tested_, &is_enclosed_})
+    set->count_spare(use);
 }
 
 void Components::shrink_to_fit() {
@@ -241,7 +244,8 @@ void Components::shrink_to_fit() {
   covers_.shrink_to_fit();
   memory::release(faces_, groups_, group_sets_, regions_, old_neighbours_, searches_, search_sets_, alternating_,
                   old_parts_, piece_faces_, stack_, flooded_, reached_, around_, sides_, polygons_, contained_,
-                  removed_, added_, to_cover_, enclosed_, covered_, edges_);
+                  removed_, added_, to_cover_, enclosed_, covered_, edges_, outline_.corners, outline_.ring_ends);
+  for (constraint::SlotSet* const set : {&are_in_covers_, &touching_, &tested_, &is_enclosed_}) set->release();
 }
 
 }  // namespace waywright::nav

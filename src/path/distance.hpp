@@ -7,12 +7,15 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
+#include "constraint/segment_distance.hpp"
 
 // Lengths in doubles. They serve only two purposes: to choose between paths, and to compute bounds for searches. Exact
 // predicates decide whether a position lies left or right of a line. The code uses the square root because it is
 // correctly rounded on every machine, unlike std::hypot.
 
 namespace waywright::path {
+
+using constraint::squared_distance_to_segment;
 
 /// If the squared length of an edge is at most this, the edge has no direction in doubles. The two ends of such an edge
 /// have the same rounded coordinates, or their rounded coordinates are very close to 0.
@@ -49,14 +52,6 @@ inline constexpr double kNoLength = 0x1p-900;
   const double at = cross(direction, {p.x - a.x, p.y - a.y}) / across;
   const double share = at > 0.0 ? std::min(at, 1.0) : 0.0;
   return Point{a.x + share * edge.x, a.y + share * edge.y};
-}
-
-/// Returns the square of the distance from `p` to the segment from `a` to `b`.
-[[nodiscard]] inline double squared_distance_to_segment(const Point& p, const Point& a, const Point& b) {
-  const Point along = b - a;
-  const double squared = squared_length(along);
-  const double share = squared > 0.0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
-  return squared_length(p - lerp(a, b, share));
 }
 
 [[nodiscard]] inline double distance_via_point(const Point& p, const Point& between, const Point& q) {

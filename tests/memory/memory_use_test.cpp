@@ -71,6 +71,22 @@ TEST(MemoryUse, CountsWhatThePoolOfSnapshotsKeeps) {
   expect_all_counted(world, before);
 }
 
+// The covers keep the list of the corners of the last polygon, and sets of the polygons inside it.
+TEST(MemoryUse, CountsWhatTheInsertionOfALargePolygonKeeps) {
+  const std::ptrdiff_t before = live_bytes();
+  World world = World::create(kBox).value();
+  world.insert_points(random_points(kCount)).value();
+  for (std::size_t i = 0; i < 1000; ++i) {
+    const Point at{0.46 + 0.002 * static_cast<double>(i % 40), 0.46 + 0.002 * static_cast<double>(i / 40)};
+    world.insert(Shape::rectangle({at, {at.x + 0.001, at.y + 0.001}})).value();
+  }
+  world.insert(Shape::regular_polygon({0.5, 0.5}, 0.1, kCount / 5)).value();
+  const auto uncounted = [&] { return live_bytes() - before - static_cast<std::ptrdiff_t>(world.memory().total()); };
+  EXPECT_LE(uncounted(), 4'000);
+  world.shrink_to_fit();
+  EXPECT_LE(uncounted(), 4'000);
+}
+
 TEST(MemoryUse, SumsUpToWhatTheAllocatorGave) {
   const std::vector<Point> points = random_points(kCount);
   const std::vector<Item> walls = random_walls(kCount / 10);
