@@ -382,6 +382,17 @@ void fit_outside_a_room(std::size_t n, Meter& meter) {
   meter.stop();
 }
 
+/// The change blocks the last of the points. All others remain connected.
+void would_disconnect_one(std::size_t n, Meter& meter) {
+  World world = World::create(kGrowthDomain).value();
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < n; ++i) points.push_back({-900.0 + 1800.0 * static_cast<double>(i) / double(n), 0});
+  points.push_back({950, 0});
+  meter.start();
+  static_cast<void>(world.would_disconnect(square({950, 0}, 10), points).value());
+  meter.stop();
+}
+
 /// The points lie in a corner of the rectangle around the moving disc, but outside the disc.
 void sweep_beside_points(std::size_t n, Meter& meter) {
   World world = World::create(kGrowthDomain).value();
@@ -442,6 +453,8 @@ constexpr Input kInputs[] = {
      nested_squares_around_boxes},
     {"fit_outside_a_room", 1000, false, "the nearest fit with a goal, from a room of n walls without a door",
      fit_outside_a_room},
+    {"would_disconnect_one", 10000, false, "a question whether a building disconnects n points; it blocks one of them",
+     would_disconnect_one},
     {"sweep_beside_points", 10000, true, "a disc that moves past n points, without a wall", sweep_beside_points},
     {"path_round_a_polygon", 10000, false, "the shortest path round a convex polygon of n corners",
      path_round_a_polygon},

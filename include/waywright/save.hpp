@@ -48,7 +48,8 @@ namespace waywright {
 /// function had read when it found the fault, and the bytes of the wrong value count, too. It is 0 if a world refuses
 /// the domain or an item. BulkOptions::progress reports only the construction of the mesh, which begins after the
 /// function has read all bytes.
-/// Errors: unreadable, if the stream fails; malformed, if the bytes are not a complete, unaltered saved world;
+/// Errors: unreadable, if the stream fails; malformed, if the bytes are not a complete, unaltered saved world, or
+/// if the items have more than 2^27 - 4 points in all (a world can have more if its items share corners);
 /// not_supported, if the bytes have another version of the format.
 /// Cost: the cost of World::insert_all().
 [[nodiscard]] WAYWRIGHT_API Result<World> load_world(std::istream& in, const BulkOptions& options = {});
@@ -56,8 +57,8 @@ namespace waywright {
 /// Writes a world to a file. The function first writes a temporary file in the same folder, waits until this file is on
 /// the disk, and then gives it the name of the file. So even if the computer stops, the file is completely the old one
 /// or completely the new one. On an error, the function removes the temporary file, and the old file stays as it is.
-/// The new file has the permissions of the old one. If `file_name` is a symbolic link, the function replaces the file
-/// to which it leads. Error messages start with the file name.
+/// The new file has the permissions of the old one. If `file_name` is a symbolic link, the function replaces or makes
+/// the file to which it leads. Error messages start with the file name.
 /// Errors: unwritable, for example if there is a folder, a device or a pipe with this name.
 /// Cost: the cost of save_world().
 [[nodiscard]] WAYWRIGHT_API Result<void> save_world_file(const World& world, const std::string& file_name);

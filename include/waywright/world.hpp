@@ -196,8 +196,8 @@ class WAYWRIGHT_API World {
   /// Errors: no_history; old_tick, if the history no longer has the tick; unknown_tick, if no mark has this tick.
   /// Error::index is the tick.
   /// Cost: for each item that has changed since the tick, at most one removal and one insertion, however often it has
-  /// changed. An item whose shape is as it was at the tick costs only a comparison. The insertions are as fast as
-  /// insert_all(). If the removed items have most of the corners of the world, the rewind costs as much as a new world.
+  /// changed. An item whose shape is as it was at the tick costs only a comparison. The insertions cost as much as
+  /// in apply(). If the removed items have most of the corners of the world, the rewind costs as much as a new world.
   Result<void> rewind(std::uint64_t tick);
 
   /// Makes changes, asks a question about the changed world, and takes the changes back. Returns the answer. `question`
@@ -209,8 +209,8 @@ class WAYWRIGHT_API World {
   /// exception, the world takes the changes back, too. The world asks no question if it refuses a change. version(),
   /// changes_since() and is_affected() do not count the changes, not even in the question. A PathSearch of this world
   /// continues afterwards as if there had been no attempt.
-  /// Requires: the question calls no member of this world that is not const, does not call clone(), and neither begins
-  /// nor continues a PathSearch of this world.
+  /// Requires: the question calls no member of this world that is not const, and does not call clone(). It does not
+  /// begin or continue a PathSearch, make or update a PathWatch, or use a ReplayWriter of this world.
   /// Errors: the errors of apply(), and the errors that the question returns. Error::index is the index of the refused
   /// change in `changes`.
   /// Cost: as apply(), and the question. To take the changes back allocates nothing and costs less than apply().

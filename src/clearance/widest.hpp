@@ -32,8 +32,8 @@ struct Narrowest {
 class WidestSearch {
  public:
   /// Returns the narrowest gate of the widest connection from the cell of `start` to the cell of `goal`. All
-  /// comparisons of lengths are exact. Cost: the borders of the cells that it enters, and n log n
-  /// in the number of gates on these borders.
+  /// comparisons of lengths are exact. Cost: linear in the edges on the borders of the cells that it enters, and n log
+  /// n in the number of gates on these borders.
   [[nodiscard]] Narrowest find(const Cells& cells, const CellEdge& start, const CellEdge& goal);
 
  private:

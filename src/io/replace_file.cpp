@@ -12,11 +12,8 @@ namespace waywright::io {
 namespace fs = std::filesystem;
 
 FileReplacement::FileReplacement(const std::string& file_name) : name_(file_name), target_(file_name) {
+  if (!follow_links()) return;
   std::error_code ignored;
-  if (fs::is_symlink(fs::symlink_status(target_, ignored))) {
-    fs::path followed = fs::canonical(target_, ignored);
-    if (!ignored) target_ = std::move(followed);
-  }
   const fs::file_status old = fs::status(target_, ignored);
   if (fs::is_directory(old)) {
     static_cast<void>(keep(EISDIR));
@@ -37,6 +34,20 @@ FileReplacement::FileReplacement(const std::string& file_name) : name_(file_name
     temporary_.clear();
     return;
   }
+}
+
+/// If the target is a symbolic link, replaces it by the file to which it leads. This file need not exist. Returns
+/// whether the links come to an end.
+bool FileReplacement::follow_links() {
+  constexpr int kMostLinks = 40;  // as many as Linux follows
+  std::error_code fault;
+  for (int i = 0; fs::is_symlink(fs::symlink_status(target_, fault)); ++i) {
+    if (i == kMostLinks) return keep(ELOOP);
+    const fs::path next = fs::read_symlink(target_, fault);
+    if (fault) return keep(fault.value());
+    target_ = target_.parent_path() / next;  // if `next` is absolute, it replaces the whole name
+  }
+  return true;
 }
 
 FileReplacement::~FileReplacement() {

@@ -31,6 +31,7 @@ class FileReplacement {
   [[nodiscard]] Error error() const;
 
  private:
+  [[nodiscard]] bool follow_links();
   [[nodiscard]] bool close();
   [[nodiscard]] bool keep(int fault);
 

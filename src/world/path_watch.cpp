@@ -469,7 +469,9 @@ void PathWatch::Impl::check_all(const World& world, PathChanges& changes) {
   }
 }
 
-PathWatch::PathWatch(const World& world) : impl_(std::make_unique<Impl>(world)) {}
+PathWatch::PathWatch(const World& world) : impl_(std::make_unique<Impl>(world)) {
+  WAYWRIGHT_ASSERT(!world.impl_->attempt, kInAttempt);
+}
 PathWatch::~PathWatch() = default;
 PathWatch::PathWatch(PathWatch&&) noexcept = default;
 PathWatch& PathWatch::operator=(PathWatch&&) noexcept = default;
@@ -515,6 +517,7 @@ bool PathWatch::contains(std::uint64_t key) const { return impl_->slots.contains
 std::size_t PathWatch::size() const { return impl_->slots.size(); }
 
 void PathWatch::update(const World& world, PathChanges& changes) {
+  WAYWRIGHT_ASSERT(!world.impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
   Answer answer(changes);
   ++impl_->updates;

@@ -26,8 +26,8 @@
 namespace waywright {
 
 inline constexpr char kInAttempt[] =
-    "World: the question of World::attempt() must not change or clone the world, and must not begin or continue a "
-    "PathSearch";
+    "World: the question of World::attempt() must not change or clone the world, begin or continue a PathSearch, or "
+    "make or update a PathWatch";
 
 /// An operation on a world. If the object is destroyed before commit(), for example because memory runs out, its
 /// destructor takes all changes back.

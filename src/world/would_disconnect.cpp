@@ -42,6 +42,8 @@ bool is_any_pair_disconnected(const std::vector<std::size_t>& points, const std:
   Areas common = areas[points.front()];
   for (const std::size_t i : points) common = common_areas(common, areas[i]);
   if (!common.empty()) return false;
+  // If a point has only one area, this area is not common to all: so another point does not have it.
+  if (std::any_of(points.begin(), points.end(), [&](std::size_t i) { return areas[i].size() < 2; })) return true;
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       if (!have_common_area(areas[points[i]], areas[points[j]])) return true;

@@ -435,6 +435,24 @@ TEST_F(WorldFile, ReplacesTheFileBehindALink) {
   EXPECT_EQ(file_count(), 2U);
 }
 
+TEST_F(WorldFile, IsMadeWhereALinkLeads) {
+  fs::create_directory(file_of("saves"));
+  fs::create_symlink("saves/second.wwb", file_of("first.wwb"));
+  fs::create_symlink("a.wwb", file_of("saves/second.wwb"));
+  ASSERT_TRUE(save_world_file(world_of(small_contents()), file_of("first.wwb")).ok());
+  EXPECT_TRUE(fs::is_symlink(file_of("first.wwb")));
+  EXPECT_TRUE(fs::is_symlink(file_of("saves/second.wwb")));
+  EXPECT_EQ(read(file_of("saves/a.wwb")), saved_world::bytes_of(small_contents()));
+}
+
+TEST_F(WorldFile, IsNotWrittenIfTheLinksHaveNoEnd) {
+  fs::create_symlink("loop.wwb", file_of("loop.wwb"));
+  const auto saved = save_world_file(world_of(small_contents()), file_of("loop.wwb"));
+  ASSERT_FALSE(saved.ok());
+  EXPECT_EQ(saved.error().code, ErrorCode::unwritable);
+  EXPECT_TRUE(fs::is_symlink(file_of("loop.wwb")));
+}
+
 TEST_F(WorldFile, DoesNotUseATemporaryFileOfSomeoneElse) {
   write(file_of("a.wwb.tmp0"), "precious");
   ASSERT_TRUE(save_world_file(world_of(small_contents()), file_of("a.wwb")).ok());

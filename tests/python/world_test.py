@@ -139,7 +139,7 @@ def test_saved_files(world, tmp_path):
         World.from_bytes(world.to_bytes() + b"x")
 
 
-def test_history_and_attempts(world):
+def test_history_and_attempts(world, tmp_path):
     world.keep_history(4)
     tick, before = world.mark(), world.items_hash
     world.apply([Change.remove(1), Change.insert(Shape.point((3, 3)), 9), Change.replace(2, Shape.point((4, 4)))])
@@ -155,6 +155,13 @@ def test_history_and_attempts(world):
             world.attempt([Change.remove(1)], forbidden)
     with pytest.raises(RuntimeError):
         world.attempt([], lambda w: waywright.PathSearch().begin(w, (1, 1), (2, 2)))
+    with pytest.raises(RuntimeError):
+        world.attempt([], lambda w: waywright.PathWatch(w))
+    log_file = tmp_path / "log.wws"
+    with pytest.raises(RuntimeError):
+        world.attempt([], lambda w: waywright.ReplayWriter(log_file, w))
+    with waywright.ReplayWriter(log_file, world) as log, pytest.raises(RuntimeError):
+        world.attempt([], log.tick)
     assert world.items_hash == before
     world.remove(2)
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "waywright/path_search.hpp"
+#include "waywright/path_watch.hpp"
 #include "waywright/world.hpp"
 
 #include "support/case_count.hpp"
@@ -111,6 +112,10 @@ TEST(Attempt, ForbidsOperationsInTheQuestion) {
                                                  return search.begin(w, {.start = {1, 1}, .goal = {2, 2}});
                                                })),
                why);
+  EXPECT_DEATH(static_cast<void>(world.attempt(changes, [&](const World& w) { const PathWatch watch(w); })), why);
+  PathWatch watch(world);
+  PathChanges answer;
+  EXPECT_DEATH(static_cast<void>(world.attempt(changes, [&](const World& w) { watch.update(w, answer); })), why);
 }
 
 TEST(WouldDisconnect, SaysWhetherAWallSeparatesPoints) {

@@ -46,6 +46,7 @@ A log is a world script: ``waywright run`` reads it, too. Use it in a ``with`` s
 )")
       .def(py::init([](const py::object& file, const WorldHandle& world, std::uint64_t ticks_per_hash) {
              if (ticks_per_hash < 1) throw py::value_error("ticks_per_hash must be 1 or more");
+             world.refuse_in_attempt();
              const std::string name = file_name_of(file);
              return std::make_unique<LogHandle>(name, world, ticks_per_hash);
            }),
@@ -60,6 +61,7 @@ A log is a world script: ``waywright run`` reads it, too. Use it in a ``with`` s
       .def(
           "tick",
           [](LogHandle& self, const WorldHandle& world) {
+            world.refuse_in_attempt();
             world.read([&](const World& w) { writer_of(self).tick(w).value(); });
           },
           py::arg("world"), "Ends a tick. Ticks count from 1.")

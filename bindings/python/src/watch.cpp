@@ -32,6 +32,7 @@ std::unique_ptr<WatchHandle> make(const WorldOrSnapshot& world) {
   const auto* const snapshot = std::get_if<SnapshotPointer>(&world);
   if (snapshot != nullptr) return std::make_unique<WatchHandle>(nullptr, **snapshot);
   const auto& own = std::get<WorldPointer>(world);
+  own->refuse_in_attempt();
   return std::make_unique<WatchHandle>(own, *own);
 }
 
