@@ -74,9 +74,9 @@ struct Shape {
   [[nodiscard]] static Shape rectangle(const Box& box) {
     return {ItemKind::polygon, {{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}}};
   }
-  /// Returns the polygon of `corner_count` corners on a circle, counter-clockwise from the corner to the right of the
-  /// centre. The function rounds each corner to doubles. The result is the same on every machine. The radius is in the
-  /// unit of the coordinates.
+  /// Returns the polygon of `corner_count` corners on a circle, counter-clockwise. The first corner lies to the right
+  /// of the centre. The function rounds each corner to doubles. The result is the same on every machine. The radius is
+  /// in the unit of the coordinates.
   /// Requires: `corner_count` is 3 or more.
   /// Cost: linear in the corners.
   [[nodiscard]] WAYWRIGHT_API static Shape regular_polygon(const Point& centre, double radius,

@@ -123,7 +123,7 @@ class WAYWRIGHT_API World {
   /// Errors: unknown_id, bad_id.
   /// Cost: the triangles that the item touches, however large the world is, and the bridges that change. With the
   /// abstraction, also: the triangles of the smaller area, if the removal connects two areas; and for a polygon, the
-  /// polygons and the closed areas directly inside it. Source: Chen 2009, sections 3.4 and 3.5.
+  /// polygons directly inside it, and the areas there that walls enclose. Source: Chen 2009, sections 3.4 and 3.5.
   Result<void> remove(ItemId id);
 
   /// Replaces the shape of an item. The item keeps its id. Use it to move an obstacle.
@@ -239,8 +239,8 @@ class WAYWRIGHT_API World {
   /// Errors: the errors of apply(); coordinate_range, out_of_domain, bad_radius; not_supported, if the radius is 0 and
   /// the world does not keep its abstraction; no_bridges, if the radius is above 0 and the world does not keep its
   /// bridges.
-  /// Cost: the cost of attempt() and the point location of each point, twice. With a radius above 0, also the gaps that
-  /// the disc can pass, for each area in which a point lies.
+  /// Cost: the cost of one attempt(), and two point locations for each point. With a radius above 0, also the gaps that
+  /// the disc can pass, and a step for each point, for each area in which a point lies.
   [[nodiscard]] Result<bool> would_disconnect(std::span<const Change> changes, PointSpan points, double radius = 0.0);
   /// Does the same for one change: the insertion of a shape.
   [[nodiscard]] Result<bool> would_disconnect(const Shape& shape, PointSpan points, double radius = 0.0);

@@ -25,10 +25,10 @@ namespace {
 /// Finds out in doubles which edges a moving disc may meet, and how early. It may name edges that the disc does not
 /// meet, but it misses none.
 ///
-/// In coordinates along and across the segment of the centre, earliest() clips an edge to the strip that the disc
-/// covers, and then moves the disc forward until it is near the edge. All numbers have errors of less than 2^-49 times
-/// the sum of the magnitudes, and the disc is larger than the exact one by 2^-46 times this sum. If a vertex is a
-/// crossing, its coordinates are rounded, and the disc is larger by this error, too.
+/// In coordinates along and across the segment on which the centre moves, earliest() clips an edge to the strip that
+/// the disc covers, and then moves the disc forward until it is near the edge. All numbers have errors of less than
+/// 2^-49 times the sum of the magnitudes, and the disc is larger than the exact one by 2^-46 times this sum. If a
+/// vertex is a crossing, its coordinates are rounded, and the disc is larger by this error, too.
 class Reach {
  public:
   Reach(const ExactTriangulation& triangulation, const Sweep& sweep)
@@ -80,8 +80,8 @@ class Reach {
 
  private:
   /// Moves the disc forward from `moved` until its distance from the segment from `p` to `q` is small. The disc can
-  /// always move by its distance from the segment without touching it. `most` is the position along the segment of the
-  /// centre beyond which the strip contains nothing of `p` - `q`.
+  /// always move by its distance from the segment without touching it. If the centre has moved farther than `most`, the
+  /// disc has passed everything of this segment that lies in the strip.
   [[nodiscard]] std::optional<double> move_to(const Point& p, const Point& q, double moved, double most,
                                               double limit) const {
     for (;;) {
@@ -98,7 +98,7 @@ class Reach {
   /// In radii: move_to() stops if the edge is not farther from the centre than this.
   static constexpr double kNear = 1.0625;
 
-  /// The position along and across the segment.
+  /// The coordinates of a point along and across the segment on which the centre moves.
   [[nodiscard]] Point position(const Point& point) const {
     const Point v = point - from_;
     return {v.x * direction_.x + v.y * direction_.y, direction_.x * v.y - direction_.y * v.x};
@@ -201,8 +201,8 @@ bool SweptDisc::add_sides(const ExactTriangulation& triangulation, const Sweep& 
   return has_changed;
 }
 
-/// The position on the walls in `first_` that is nearest to the centre. If the disc touches several walls later than at
-/// the start, all are equally near.
+/// The position on the walls in `first_` that is nearest to the centre. If the first touch is not at the start, all
+/// touched walls are equally near.
 Point SweptDisc::contact(const Sweep& sweep, const Point& centre) const {
   const bool is_start = first_.front().touch.kind == Touch::Kind::start;
   const Touch* nearest = nullptr;

@@ -81,8 +81,8 @@ void TwoCore::add_passage(HalfEdge h) {
   write(f, states_[number(f)] | passage_bit(h));
 }
 
-/// Gives a new face its passages, including one to each adjacent old tree face that does not hang on the new face. A
-/// tree face gets a passage back only when climb() takes it into the core.
+/// Gives a new face its passages, including one to each adjacent old tree face that does not hang on the new face. The
+/// tree face gets the passage in the opposite direction only when climb() takes it into the core.
 void TwoCore::join(const mesh::TriangleMesh& mesh, Face f, Surroundings& around) {
   for (std::uint32_t i = 0; i < 3; ++i) {
     const HalfEdge h = mesh::half_edge(f, i);

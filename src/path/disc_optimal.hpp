@@ -57,7 +57,7 @@ class DiscOptimal {
   // `failed_`, or kNone if there is none.
 
   /// A pivot, and a path to it. DiscLine has accepted the last line of this path. If several paths lead to a pivot,
-  /// the pivot has several roots. The first root is the start.
+  /// the pivot has several roots. `roots_[0]` is the start, not a pivot.
   struct Root {
     DiscLine::End end;             ///< the pivot, or the start
     mesh::HalfEdge corner;         ///< the corner of a face at the vertex of the pivot, in the direction of `position`
@@ -164,8 +164,8 @@ class DiscOptimal {
   /// Moves a window from face to face, until the search divides the window, drops it or computes its bound again.
   void follow(Window window);
   [[nodiscard]] bool divide(Window& window, Edge& edge, const Point& apex);
-  /// Adds a turn node for an end of the window's edge, through which a ray passes. `sees_apex` is false if the apex of
-  /// the face lies on this ray.
+  /// Adds a turn node for an end of the window's edge. Requires: a ray of the window passes through this end.
+  /// `sees_apex` is false if the apex of the face lies on this ray.
   bool note_turn(const Window& window, int turn, bool sees_apex);
   /// Calls note_turn(), unless Ray::has_turn says that the search needs no turn node there.
   void pass_end(const Window& window, Ray& ray, int turn, bool sees_apex);
