@@ -371,14 +371,15 @@ void rooms_at_once(std::size_t n, Meter& meter) {
 }
 
 /// A room of n walls without a door. A disc in its middle looks for the nearest place from which it can move to a goal
-/// outside the room.
+/// outside the room. The disc is as small as the walls are short.
 void fit_outside_a_room(std::size_t n, Meter& meter) {
   World world = World::create(kGrowthDomain, {.keep_bridges = true}).value();
   std::vector<Point> room = circle(100, n);
   room.push_back(room.front());
   static_cast<void>(world.insert(Shape::polyline(room)).value());
+  const double radius = 1000.0 / static_cast<double>(n);
   meter.start();
-  static_cast<void>(world.nearest_fit({.point = {0, 0}, .radius = 1, .goal = Point{500, 0}}).value());
+  static_cast<void>(world.nearest_fit({.point = {0, 0}, .radius = radius, .goal = Point{500, 0}}).value());
   meter.stop();
 }
 
@@ -405,14 +406,14 @@ void sweep_beside_points(std::size_t n, Meter& meter) {
   meter.stop();
 }
 
-/// One operation inserts all squares, the largest first.
-void nested_squares_around_boxes(std::size_t n, Meter& meter) {
+/// One operation inserts all squares, the largest first, between the boxes and the border of the domain.
+void nested_squares_beside_boxes(std::size_t n, Meter& meter) {
   World world = World::create(kGrowthDomain).value();
   insert_boxes(world, n);
   std::vector<Change> changes;
   for (std::size_t i = 0; i < n; ++i) {
-    const double half = 810.0 + 180.0 * static_cast<double>(n - i) / static_cast<double>(n);
-    changes.push_back(Change::insert(square({0, 0}, half)));
+    const double half = 90.0 * static_cast<double>(n - i) / static_cast<double>(n);
+    changes.push_back(Change::insert(square({900, 900}, half)));
   }
   meter.start();
   static_cast<void>(world.apply(changes).value());
@@ -449,8 +450,8 @@ constexpr Input kInputs[] = {
     {"hub_removed", 10000, false, "a vertex with n neighbours, removed", hub_removed},
     {"wall_between_curves", 10000, false, "a segment across n edges between two curves, inserted", wall_between_curves},
     {"rooms_at_once", 2000, false, "n segments across a hall, inserted by one operation", rooms_at_once},
-    {"nested_squares_around_boxes", 1000, false, "n nested squares around n boxes, inserted by one operation",
-     nested_squares_around_boxes},
+    {"nested_squares_beside_boxes", 1000, false, "n nested squares beside n boxes, inserted by one operation",
+     nested_squares_beside_boxes},
     {"fit_outside_a_room", 1000, false, "the nearest fit with a goal, from a room of n walls without a door",
      fit_outside_a_room},
     {"would_disconnect_one", 10000, false, "a question whether a building disconnects n points; it blocks one of them",

@@ -25,7 +25,10 @@ def main(arguments):
     pip = [sys.executable, "-m", "pip", "install", "--no-index", "--no-build-isolation", "--no-deps"]
     subprocess.run([*pip, "--target", folder, PACKAGE], check=True)
     environment = {**os.environ, "PYTHONPATH": str(folder)}
-    run = subprocess.run([sys.executable, "-c", CHECK], env=environment, check=True, capture_output=True, text=True)
+    # The current folder comes first in the search for packages, and that of the test contains the package of the build.
+    run = subprocess.run(
+        [sys.executable, "-c", CHECK], env=environment, cwd=folder, check=True, capture_output=True, text=True
+    )
     assert Path(run.stdout.strip()).is_relative_to(folder.resolve()), run.stdout
     for name in ("py.typed", "_core.pyi"):
         assert (folder / "waywright" / name).exists(), name
