@@ -7,6 +7,7 @@
 #include "waywright/memory_use.hpp"
 
 #include "delaunay/legality.hpp"
+#include "delaunay/segment_cavity.hpp"
 #include "exact/sign.hpp"
 #include "memory/count.hpp"
 #include "mesh/index.hpp"
@@ -32,12 +33,18 @@ class CavityFiller {
                             const std::vector<mesh::HalfEdge>& crossed, mesh::Label label);
 
   void count_memory(MemoryUse& use) const {
-    memory::count_spare(use, left_chain_, right_chain_, dangling_, cavity_, chain_vertices_, inner_edges_);
+    memory::count_spare(use, left_chain_, right_chain_, dangling_, cavity_, chain_vertices_, inner_edges_, triangles_,
+                        bases_);
+    segment_cavity_.count_memory(use);
   }
-  void release() { memory::release(left_chain_, right_chain_, dangling_, cavity_, chain_vertices_, inner_edges_); }
+  void release() {
+    memory::release(left_chain_, right_chain_, dangling_, cavity_, chain_vertices_, inner_edges_, triangles_, bases_);
+    segment_cavity_.release();
+  }
 
  private:
   static constexpr std::uint32_t kNotDangling = 0xffffffff;
+  static constexpr std::size_t kLargePolygon = 32;  ///< a polygon is large if its chain has more edges than this
 
   /// An edge on the border of one of the two polygons. It runs from the vertex `from` to the vertex `from` of the next
   /// edge in the chain.
@@ -69,6 +76,10 @@ class CavityFiller {
   /// last one, `end`. Appends the edges between the triangles to `inner_edges_`. Returns the half-edge of the base.
   template <class Mesh>
   mesh::HalfEdge triangulate(const Geometry& geometry, Mesh& mesh, Chain& chain, mesh::Vertex end);
+  /// Does the same for a large polygon. The triangles are then Delaunay, and legalise_cavity() need not flip an edge.
+  /// Returns kNoHalfEdge, and changes nothing, if SegmentCavity does not triangulate the polygon.
+  template <class Mesh>
+  mesh::HalfEdge triangulate_large(const Geometry& geometry, Mesh& mesh, Chain& chain, mesh::Vertex end);
   template <class Mesh>
   mesh::HalfEdge cut_ear(Mesh& mesh, Chain& chain, mesh::Vertex a, const ChainVertex& b, const ChainVertex& r);
   template <class Mesh>
@@ -84,6 +95,9 @@ class CavityFiller {
   std::vector<mesh::Face> cavity_;
   std::vector<ChainVertex> chain_vertices_;
   std::vector<mesh::HalfEdge> inner_edges_;  ///< the edges that cutting the ears has made, except u - w
+  SegmentCavity<Geometry> segment_cavity_;
+  std::vector<mesh::TriangleMesh::Triangle> triangles_;
+  std::vector<mesh::HalfEdge> bases_;  ///< by chain edge: the base of the last new triangle that starts there
 };
 
 //              left chain           The faces that the new edge u - w crosses leave a cavity. The new edge divides it
@@ -168,7 +182,8 @@ void CavityFiller<Geometry>::pair_dangling_edges(const Mesh& mesh, Chain& chain)
 //                     crossed edges meet the base in the order of the chain. If z comes before a, the same is true with
 //                     a - b and a instead of b - r and r.
 //
-// Hence one pass with a stack cuts the polygon into triangles, like Graham's scan. Flips then make them Delaunay.
+// Hence one pass with a stack cuts the polygon into triangles, like Graham's scan. Flips then make them Delaunay. The
+// number of flips can be quadratic in the number of edges, so large polygons get their triangles from SegmentCavity.
 // Source: Toussaint and Avis, *On a convex hull algorithm for polygons and its application to triangulation problems*,
 // 1982, which applies this method to polygons in which all points are visible from one edge.
 template <class Geometry>
@@ -178,6 +193,10 @@ mesh::HalfEdge CavityFiller<Geometry>::triangulate(const Geometry& geometry, Mes
   const auto orientation = [&](mesh::Vertex p, mesh::Vertex q, mesh::Vertex s) {
     return geometry.orientation(geometry.view(number(p)), geometry.view(number(q)), geometry.view(number(s)));
   };
+  if (chain.size() > kLargePolygon) {
+    const mesh::HalfEdge base = triangulate_large(geometry, mesh, chain, end);
+    if (base != mesh::kNoHalfEdge) return base;
+  }
   const auto last = static_cast<std::uint32_t>(chain.size());
   chain_vertices_.clear();
   chain_vertices_.push_back({chain.front().from, 0, mesh::kNoHalfEdge});
@@ -193,6 +212,33 @@ mesh::HalfEdge CavityFiller<Geometry>::triangulate(const Geometry& geometry, Mes
     chain_vertices_.push_back(r);
   }
   return chain_vertices_.back().base;
+}
+
+// SegmentCavity numbers the vertices counter-clockwise, and the chain lists them clockwise. Each triangle of the list
+// comes after the triangle on whose edge it lies. So the function makes them in the reverse order.
+template <class Geometry>
+template <class Mesh>
+mesh::HalfEdge CavityFiller<Geometry>::triangulate_large(const Geometry& geometry, Mesh& mesh, Chain& chain,
+                                                         mesh::Vertex end) {
+  const auto last = static_cast<std::uint32_t>(chain.size());
+  const auto vertex = [&](std::uint32_t i) { return i == last ? end : chain[i].from; };
+  segment_cavity_.clear();
+  for (std::uint32_t i = last + 1; i-- > 0;) {
+    const std::uint32_t v = number(vertex(i));
+    segment_cavity_.add(geometry.view(v), geometry.rounded(v));
+  }
+  if (!segment_cavity_.triangulate(geometry, triangles_)) return mesh::kNoHalfEdge;
+  bases_.resize(last);
+  const auto end_of_piece = [&](std::uint32_t from, std::uint32_t to) {
+    return ChainVertex{vertex(to), from, to - from == 1 ? mesh::kNoHalfEdge : bases_[from]};
+  };
+  for (auto triangle = triangles_.rbegin(); triangle != triangles_.rend(); ++triangle) {
+    const std::uint32_t a = last - triangle->to;
+    const std::uint32_t b = last - triangle->apex;
+    const std::uint32_t r = last - triangle->from;
+    bases_[a] = cut_ear(mesh, chain, vertex(a), end_of_piece(a, b), end_of_piece(b, r));
+  }
+  return bases_[0];
 }
 
 /// Makes the triangle of `a`, `b` and `r`. Returns its half-edge from `a` to `r`, which has no twin yet.

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "delaunay/face_corners.hpp"
 #include "delaunay/triangulation.hpp"
 #include "exact/geometry.hpp"
 
@@ -17,32 +18,13 @@ namespace {
 
 using Triangulation = delaunay::Triangulation<exact::Geometry>;
 using mesh::HalfEdge;
-using Corners = std::array<std::pair<double, double>, 3>;
 
 constexpr std::array<mesh::Label, 4> kCavitySides = {1, 2, 3, 4};
-
-Corners sorted(const Point& a, const Point& b, const Point& c) {
-  Corners corners = {std::pair{a.x, a.y}, {b.x, b.y}, {c.x, c.y}};
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
 
 Triangulation triangulate(double size, std::span<const Point> points) {
   Triangulation triangulation({{0, 0}, {size, size}}, kCavitySides);
   for (const Point& p : points) static_cast<void>(triangulation.insert(p));
   return triangulation;
-}
-
-std::set<Corners> faces_of(const Triangulation& triangulation) {
-  const mesh::TriangleMesh& mesh = triangulation.topology();
-  const auto point = [&](mesh::Vertex v) { return triangulation.geometry().rounded(number(v)); };
-  std::set<Corners> faces;
-  for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
-    if (!triangulation.is_in_domain(mesh::Face{f})) continue;
-    const HalfEdge h = mesh::first(mesh::Face{f});
-    faces.insert(sorted(point(mesh.origin(h)), point(mesh.target(h)), point(mesh.apex(h))));
-  }
-  return faces;
 }
 
 /// The cavity around the last of the points must get the faces of a triangulation without this point, whichever side of
@@ -65,7 +47,7 @@ void check_cavity(double size, const std::vector<Point>& points) {
       ASSERT_LT(from, apex);
       ASSERT_LT(apex, to);
       const auto point = [&](std::uint32_t i) { return with.geometry().rounded(number(link[i])); };
-      ASSERT_TRUE(expected.contains(sorted(point(from), point(apex), point(to))));
+      ASSERT_TRUE(expected.contains(face_corners(point(from), point(apex), point(to))));
     }
     std::rotate(link.begin(), link.begin() + 1, link.end());
   }

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "waywright/memory_use.hpp"
+#include "waywright/point.hpp"
+
+#include "delaunay/polygon_triangles.hpp"
+#include "delaunay/tie_rule.hpp"
+#include "exact/sign.hpp"
+#include "memory/count.hpp"
+
+namespace waywright::delaunay {
+
+/// Triangulates one of the two polygons that a new segment leaves if it crosses many edges of a constrained Delaunay
+/// triangulation. The segment is the base of the polygon. The polygon need not be convex, and it may be only weakly
+/// simple: a vertex at which an edge dangles into the polygon occurs several times on its border.
+///
+/// The class inserts the vertices in random order, like LargeCavity. There are two differences:
+/// - It does not remove a vertex from the polygon, and so does not insert it later, if both neighbours of the vertex
+///   are farther from the segment. So the smaller polygons are weakly simple, too.
+/// - The new vertex also replaces a triangle if the new vertex does not see the triangle's edge from its front.
+///
+/// Source: Shewchuk and Brown, *Fast segment insertion and incremental construction of constrained Delaunay
+/// triangulations*, 2015. Their algorithm triangulates a part of the new triangles again if the new vertex does not see
+/// it, and then takes expected time O(n log n) for n vertices. In our tests this happened to no large polygon, so this
+/// class does not contain this step: triangulate() then returns false.
+template <class Geometry>
+class SegmentCavity {
+ public:
+  using View = typename Geometry::View;
+  using Triangle = mesh::TriangleMesh::Triangle;
+
+  /// Removes all positions.
+  void clear() {
+    positions_.clear();
+    rounded_.clear();
+  }
+  /// Adds the position of the next vertex on the border, counter-clockwise. The base runs from the last vertex to the
+  /// first. `rounded` is the same position, rounded to doubles.
+  void add(const View& position, const Point& rounded) {
+    positions_.push_back(position);
+    rounded_.push_back(rounded);
+  }
+
+  /// Triangulates the polygon. Fills `triangles` in the order of LargeCavity::triangulate(). Returns whether all
+  /// triangles are counter-clockwise, so that they do not overlap. If it returns false, `triangles` has no meaning. The
+  /// function does not prove that the triangles are Delaunay. Requires: three or more positions.
+  [[nodiscard]] bool triangulate(const Geometry& geometry, std::vector<Triangle>& triangles) {
+    find_distances();
+    order_.reset(positions_.size(), [&](Index v, Index before, Index after) {
+      return !(distances_[v] < std::min(distances_[before], distances_[after]));
+    });
+    triangles_.start(positions_.size(), order_.vertices().front());
+    for (const Index p : order_.vertices().subspan(1)) insert(geometry, p);
+    triangles_.list(triangles);
+    return std::all_of(triangles.begin(), triangles.end(), [&](const Triangle& triangle) {
+      return is_left(geometry, positions_[triangle.from], positions_[triangle.apex], positions_[triangle.to]);
+    });
+  }
+
+  void count_memory(MemoryUse& use) const {
+    order_.count_memory(use);
+    triangles_.count_memory(use);
+    memory::count_spare(use, positions_, rounded_, distances_);
+  }
+  void release() {
+    order_.release();
+    triangles_.release();
+    memory::release(positions_, rounded_, distances_);
+  }
+
+ private:
+  using Index = PolygonTriangles::Index;
+
+  [[nodiscard]] static bool is_left(const Geometry& geometry, const View& a, const View& b, const View& c) {
+    return geometry.orientation(a, b, c) == exact::Sign::positive;
+  }
+
+  /// Computes the distance of each vertex from the line of the segment, times a constant. If a number is too large for
+  /// a double, the result can be NaN.
+  void find_distances() {
+    const Point a = rounded_.back();
+    const Point b = rounded_.front();
+    distances_.clear();
+    for (const Point& p : rounded_) {
+      distances_.push_back(std::abs((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)));
+    }
+  }
+
+  void insert(const Geometry& geometry, Index p) {
+    triangles_.insert(p, order_.before(p), order_.after(p), [&](Index h) {
+      if (is_in_circle(geometry, h, p)) return true;
+      return !is_left(geometry, positions_[triangles_.target(h)], positions_[triangles_.origin(h)], positions_[p]);
+    });
+  }
+
+  /// Whether the circle of the triangle of `h` contains `p`. If a dangling edge starts at a vertex of the triangle, `p`
+  /// may have the same position as this vertex. Then the circle does not contain `p`.
+  [[nodiscard]] bool is_in_circle(const Geometry& geometry, Index h, Index p) const {
+    const View& a = positions_[triangles_.origin(h)];
+    const View& b = positions_[triangles_.target(h)];
+    const View& c = positions_[triangles_.apex(h)];
+    const View& d = positions_[p];
+    const exact::Sign sign = geometry.in_circle(a, b, c, d);
+    if (sign != exact::Sign::zero) return sign == exact::Sign::positive;
+    for (const View* const v : {&a, &b, &c}) {
+      if (geometry.order(*v, d) == 0) return false;
+    }
+    return tied_circle_contains(geometry, a, b, c, d);
+  }
+
+  std::vector<View> positions_;
+  std::vector<Point> rounded_;
+  InsertionOrder order_;
+  PolygonTriangles triangles_;
+  std::vector<double> distances_;  ///< by vertex: see find_distances()
+};
+
+}  // namespace waywright::delaunay
