@@ -100,7 +100,7 @@ enum {
   WW_UNKNOWN_ID = 4,         /* no live item has this id */
   WW_BAD_RADIUS = 5,         /* a radius that is negative or not finite */
   WW_BAD_DISTANCE = 6,       /* a distance that is negative, not a number, or too small */
-  WW_BAD_ID = 7,             /* an id above 2^63 - 1, or the id 0 where the function needs an id */
+  WW_BAD_ID = 7,             /* an id above 2^63 - 1; ww_world_reserve_ids and replay logs refuse the id 0, too */
   WW_BAD_DOMAIN = 8,         /* a domain without min.x < max.x and min.y < max.y, or a box with min beyond max */
   WW_BAD_SHAPE = 9,          /* a number of rings or points that the kind of the item does not allow, for example 0 */
   WW_TOO_LARGE = 10,         /* more than 2^27 vertices, not counting new crossings, or more than 350 million in all */
@@ -234,7 +234,7 @@ WW_API const char* ww_item_kind_name(ww_item_kind kind);
 typedef int32_t ww_fill_rule;
 enum {
   WW_FILL_EVEN_ODD = 0, /* inside if the winding number is odd: a ring in a ring bounds a hole */
-  WW_FILL_NONZERO = 1   /* inside if the winding number is not 0: a ring in the other direction bounds a hole */
+  WW_FILL_NONZERO = 1   /* inside if the winding number is not 0: an inner ring in the opposite direction is a hole */
 };
 /* Returns the name of a fill rule: "even-odd". */
 WW_API const char* ww_fill_rule_name(ww_fill_rule rule);
@@ -368,7 +368,7 @@ typedef struct ww_job_system {
 typedef struct ww_bulk_options {
   uint32_t struct_size;
   /* Null, or a function that the library calls on the calling thread from time to time, and at the end with done ==
-     total. The unit of both numbers has no meaning. The function must not use the world. */
+     total. Only the ratio of the two numbers has a meaning. The function must not use the world. */
   void (*progress)(size_t done, size_t total, void* user_data);
   void* progress_user_data;
   size_t threads;            /* 1 by default; including the calling thread; a number above 256 counts as 256 */
@@ -428,7 +428,8 @@ WW_API ww_status ww_world_rewind(ww_world* world, uint64_t tick);
 typedef ww_status (*ww_question)(const ww_world* changed, void* user_data);
 /* Makes changes, asks a question about the changed world, and takes the changes back. Afterwards the world is as
    before, bit for bit; only its spare memory may be larger. The question writes its answer to user_data. The function
-   returns what the question returned. It asks no question if the world refuses a change.
+   returns what the question returned. (If this is a status that no function of the library gave to the question,
+   ww_last_error() does not change.) It asks no question if the world refuses a change.
    Errors: the errors of ww_world_apply, and the errors that the question returns.
    Threads: the whole call, with the question, is a change of the world. */
 WW_API ww_status ww_world_attempt(ww_world* world, const ww_change* changes, size_t change_count, ww_question question,
@@ -472,9 +473,10 @@ WW_API ww_status ww_world_contains(const ww_world* world, ww_id id, ww_bool* con
 WW_API ww_status ww_world_item_count(const ww_world* world, size_t* item_count);
 /* Writes the ids of all live items, ascending. */
 WW_API ww_status ww_world_item_ids(const ww_world* world, ww_id* ids, size_t capacity, size_t* count);
-/* Sets `items` to a copy of the item with this id. Its shape is as you inserted it, with one exception: of equal
-   consecutive points (in a polygon, also of the last and the first point of a ring), the copy has only one. A segment
-   always has two points. Errors: WW_UNKNOWN_ID, WW_BAD_ID. */
+/* Sets `items` to a copy of the item with this id. Its shape is as you inserted it, with two exceptions. Of equal
+   consecutive points (in a polygon, also of the last and the first point of a ring), the copy has only one. (A segment
+   always has two points.) And the fill rule of an item that is not a polygon is WW_FILL_EVEN_ODD. Errors:
+   WW_UNKNOWN_ID, WW_BAD_ID. */
 WW_API ww_status ww_world_item(const ww_world* world, ww_id id, ww_items* items);
 /* Sets `items` to copies of all live items, ascending by id. */
 WW_API ww_status ww_world_items(const ww_world* world, ww_context* context, ww_items* items);
@@ -508,7 +510,8 @@ typedef struct ww_crossed_item {
 } ww_crossed_item;
 
 /* Finds the items whose sides a segment meets, and the positions where it meets them, in the order from `from` to `to`.
-   An item occurs once for each position where the segment meets its sides. Items at one position ascend. */
+   An item occurs once for each position where the segment meets its sides. Items at one position ascend. The border of
+   the domain is not listed. */
 WW_API ww_status ww_world_items_crossed(const ww_world* world, ww_point from, ww_point to, ww_context* context,
                                         ww_crossed_item* items, size_t capacity, size_t* count);
 /* Finds the items that have a position in common with a closed box, ascending. The box may reach beyond the domain.
@@ -554,7 +557,7 @@ typedef struct ww_nearest_fit_query {
 
 typedef struct ww_nearest_fit {
   uint32_t struct_size;
-  ww_bool is_found; /* whether the disc fits somewhere; if not, the other members are 0 */
+  ww_bool is_found; /* whether there is such a point; if not, the other members are 0 */
   ww_point at;      /* where it fits, exactly as ww_world_fit_disc says */
   double distance;  /* the distance from query->point to `at` */
 } ww_nearest_fit;
@@ -562,10 +565,11 @@ typedef struct ww_nearest_fit {
 /* Sets all members to their defaults. `struct_size` is sizeof(ww_nearest_fit_query). */
 WW_API ww_status ww_nearest_fit_query_init(ww_nearest_fit_query* query, size_t struct_size);
 /* Finds, among all points where a disc fits, the nearest one to query->point. The C++ header clearance.hpp says how
-   precise the distance is. Of several equally near points, the first in (x, y) order is the answer. ww_error.index is 0
-   for the point and 1 for the goal. Further errors: WW_BAD_DISTANCE, if the limit is negative or not a number; with a
-   goal, WW_NO_BRIDGES if the radius is above 0 and the world does not keep its bridges, and WW_NOT_SUPPORTED if the
-   radius is 0 and the world does not keep its abstraction. */
+   precise the distance is. Of several equally near points that the search finds, the first in (x, y) order is the
+   answer; along an arc around a vertex, the search finds one point, and rounding errors decide which one it is.
+   ww_error.index is 0 for the point and 1 for the goal. Further errors: WW_BAD_DISTANCE, if the limit is negative or
+   not a number; with a goal, WW_NO_BRIDGES if the radius is above 0 and the world does not keep its bridges, and
+   WW_NOT_SUPPORTED if the radius is 0 and the world does not keep its abstraction. */
 WW_API ww_status ww_world_nearest_fit(const ww_world* world, const ww_nearest_fit_query* query, ww_context* context,
                                       ww_nearest_fit* fit);
 
@@ -586,7 +590,7 @@ WW_API ww_status ww_world_widest_path(const ww_world* world, ww_point start, ww_
                                       size_t* from_count, ww_id* to_items, size_t to_capacity, size_t* to_count);
 
 /* A bridge: the straight connection between two walls at the gap between them. A disc that passes between the
-   two pieces crosses it. */
+   two walls crosses the bridge. */
 typedef struct ww_bridge {
   ww_point from;       /* the corner of an item, or of the domain, at which it starts */
   ww_point to;         /* where it ends: at another corner, or at a foot, rounded */
@@ -610,7 +614,7 @@ WW_API ww_status ww_world_bridges(const ww_world* world, ww_box box, ww_context*
 typedef int32_t ww_path_algorithm;
 enum {
   WW_ALGORITHM_TA = 0,     /* a first path quickly, and a better one within a budget */
-  WW_ALGORITHM_TRA = 1,    /* a good path in very little time, useful for crowds; needs the abstraction */
+  WW_ALGORITHM_TRA = 1,    /* a good path in very little time; needs the abstraction if the radius is 0 */
   WW_ALGORITHM_OPTIMAL = 2 /* the shortest path */
 };
 /* Returns the name of an algorithm: "ta", "tra", "optimal". */
@@ -638,8 +642,9 @@ WW_API ww_status ww_path_query_init(ww_path_query* query, size_t struct_size);
    The path may touch walls and vertices, but it never passes through a wall. At a vertex with walls, it never passes
    from one wedge between walls into another. The search may move a blocked start or goal to a free position within the
    tolerance. Errors: WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN,
-   WW_BAD_RADIUS; WW_BAD_DISTANCE, for the tolerance; WW_NOT_SUPPORTED, if the algorithm is TRA and the world does not
-   keep its abstraction; WW_NO_BRIDGES, if the radius is above 0 and the world does not keep its bridges. */
+   WW_BAD_RADIUS; WW_BAD_DISTANCE, for the tolerance; WW_NOT_SUPPORTED, if the radius is 0, the algorithm is TRA and the
+   world does not keep its abstraction; WW_NO_BRIDGES, if the radius is above 0 and the world does not keep its
+   bridges. */
 WW_API ww_status ww_world_find_path(const ww_world* world, const ww_path_query* query, ww_context* context,
                                     ww_path* path);
 /* Finds a path for each query, in their order, on `threads` threads, 1 or more; a number above 256 counts as 256.
@@ -847,11 +852,12 @@ WW_API ww_status ww_world_find_affected(const ww_world* world, const ww_path* co
 WW_API ww_status ww_world_version(const ww_world* world, uint64_t* version);
 
 /* A region that an operation has changed. This struct does not grow. */
+/* A replacement has two boxes: one for the removal of the old shape, and one for the insertion of the new shape. */
 typedef struct ww_changed_box {
   uint64_t version;     /* the version of the world after the operation */
   ww_box box;           /* the bounding box of an item; the last box of an operation can have several items */
   ww_bool is_insertion; /* whether the operation inserted an item in the box */
-  ww_bool is_removal;   /* whether the operation removed an item in the box; a replacement is both */
+  ww_bool is_removal;   /* whether the operation removed an item in the box */
 } ww_changed_box;
 
 /* Writes the regions that the operations after version `since` have changed, the oldest first: the bounding box of each
@@ -903,7 +909,9 @@ WW_API ww_status ww_path_watch_blocked(const ww_path_watch* watch, uint64_t* key
 WW_API ww_status ww_path_watch_may_be_blocked(const ww_path_watch* watch, uint64_t* keys, size_t capacity,
                                               size_t* count);
 /* Writes the keys of the paths that may be longer than necessary, because an operation removed an item that may have
-   blocked a shorter path; ascending. No other path has become longer than necessary. */
+   blocked a shorter path; ascending. No other path has become longer than necessary, with one exception: if an
+   insertion blocks an end of a path that was not found, the next query moves this end to a free position, and can then
+   find a path. */
 WW_API ww_status ww_path_watch_may_be_too_long(const ww_path_watch* watch, uint64_t* keys, size_t capacity,
                                                size_t* count);
 
@@ -1037,7 +1045,8 @@ WW_API ww_status ww_world_save_bytes(const ww_world* world, ww_text* bytes);
    bytes, their checksum, and the hash of the items. `options` may be null; progress reports the construction of the
    mesh, after all bytes have been read. Errors: WW_UNREADABLE, if the input fails; WW_MALFORMED, if the bytes are not a
    complete, unaltered saved world; WW_NOT_SUPPORTED, if they need a later version of the library. ww_error.index is the
-   number of bytes before the fault, or 0 if a world refuses the domain or an item. */
+   number of bytes that the function had read when it found the fault, and the bytes of the wrong value count, too. It
+   is 0 if a world refuses the domain or an item. */
 WW_API ww_status ww_world_load(const ww_input* input, const ww_bulk_options* options, ww_world** world);
 /* Makes a world from a file, which must contain nothing else. Errors: the errors of ww_world_load. */
 WW_API ww_status ww_world_load_file(const char* file_name, const ww_bulk_options* options, ww_world** world);
@@ -1056,7 +1065,7 @@ typedef int32_t ww_scene_format;
 enum {
   WW_SCENE_SCRIPT = 0,        /* .wws, a world script: the items that are left after all changes */
   WW_SCENE_MOVINGAI = 1,      /* .map of Moving AI: blocked tiles become polygons */
-  WW_SCENE_TRIANGLE_POLY = 2, /* .poly of Triangle: segments, and points that lie on no segment */
+  WW_SCENE_TRIANGLE_POLY = 2, /* .poly of Triangle: segments, and points for the other vertices */
   WW_SCENE_TRIANGLE_NODE = 3, /* .node of Triangle: points */
   WW_SCENE_SAVED_WORLD = 4    /* .wwb, a saved world: its domain and its items */
 };
@@ -1193,12 +1202,12 @@ typedef void (*ww_progress)(size_t done, size_t total, void* user_data);
 /* The answer of a replay. The members from `tick` on have no meaning if is_same is 1. */
 typedef struct ww_replay_result {
   uint32_t struct_size;
-  ww_bool is_same;        /* whether all changes were made and all hashes are equal */
+  ww_bool is_same;        /* whether all changes and rewinds were made and all hashes are equal */
   uint64_t ticks;         /* the number of ticks that were replayed */
-  uint64_t tick;          /* the first tick whose hash differs, or during which a change was refused */
+  uint64_t tick;          /* the first tick whose hash differs, or during which the world refused a change or rewind */
   uint64_t last_same;     /* the last tick before `tick` whose hash is equal, or 0 */
-  uint32_t line;          /* the line of the hash or of the refused change in the script */
-  ww_bool is_refused;     /* whether the world refused a change: ww_replay_refusal says why */
+  uint32_t line;          /* the line of the hash, or of the refused change or rewind, in the script */
+  ww_bool is_refused;     /* whether the world refused a change or rewind: ww_replay_refusal says why */
   ww_items_hash expected; /* the hash in the log */
   ww_items_hash computed; /* the hash of the replayed world */
 } ww_replay_result;
@@ -1219,7 +1228,7 @@ WW_API ww_status ww_replay_refusal(const ww_replay* replay, ww_error* error, cha
 typedef int32_t ww_difference_kind;
 enum {
   WW_DIFFERENCE_DOMAIN = 0, /* the domains differ */
-  WW_DIFFERENCE_CHANGE = 1, /* a change differs, or one log lacks it */
+  WW_DIFFERENCE_CHANGE = 1, /* a change, mark or rewind differs, or one log lacks it */
   WW_DIFFERENCE_HASH = 2,   /* all changes are equal up to this tick, but its hash differs */
   WW_DIFFERENCE_LENGTH = 3  /* one log ends after this tick, or the next ticks have different numbers */
 };

@@ -20,8 +20,8 @@ struct AssertionFailure {
 /// Exceptions: your handler must not throw.
 using AssertionHandler = void (*)(const AssertionFailure& failure);
 
-/// Sets the assertion handler of the whole process and returns the previous one. Null stands for the default handler,
-/// which prints the failure to stderr.
+/// Sets the assertion handler of the whole process and returns the previous one, which is never null. As an argument,
+/// null stands for the default handler, which prints the failure to stderr.
 ///
 /// @code{.cpp}
 /// set_assertion_handler([](const AssertionFailure& failure) {

@@ -25,8 +25,8 @@ struct BulkOptions {
   std::size_t threads = 1;
   /// A function that the library calls on the calling thread from time to time, and at the end with `done` equal to
   /// `total`. Only the ratio of the two numbers has a meaning: what they count may differ in other versions. The
-  /// function must not use the world. If it throws an exception, the call ends with this exception: before the last
-  /// report nothing has changed, and in the last report the world has the items already.
+  /// function must not use the world. If it throws an exception, the call ends with this exception. If it throws in the
+  /// last report, the world contains the items. If it throws in an earlier report, the world does not change.
   std::function<void(std::size_t done, std::size_t total)> progress;
   /// The job system that provides the other threads. If it is null, the library starts threads.
   JobSystem* jobs = nullptr;

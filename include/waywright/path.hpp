@@ -48,8 +48,9 @@ struct PathBudget {
   /// The number of triangles that the whole search may enter, including the search for the first path. For a query with
   /// a radius above 0, the member limits Path::expansions. If the number is 0, the first path is the answer.
   std::size_t expansions = 0;
-  /// The largest time since the start of the search. If this limit ends the search, the answer depends on the clock. In
-  /// all other cases the answer does not depend on the clock.
+  /// The largest time since the start of the search. The time between the slices of a PathSearch counts, too. If this
+  /// limit ends the search, the answer depends on the clock. In all other cases the answer does not depend on the
+  /// clock.
   std::chrono::nanoseconds time = std::chrono::nanoseconds::max();
 
   /// The value of `expansions` for a search without a limit on triangles.
@@ -71,9 +72,9 @@ struct PathQuery {
   ///
   /// The library decides exactly whether the disc fits at an end, and whether it passes a gap. It computes everything
   /// else in doubles. Let m be the largest magnitude of a coordinate of the domain, and r the radius. Then a path may
-  /// come nearer to a wall than r, but at most by the largest of three numbers: m / 2^50, r / 2^34, and the rounding
-  /// error of a crossing. If r is below m / 2^48, the search may find no path although there is one. So choose a domain
-  /// that is not much larger than the area of the items.
+  /// come nearer to a wall than r, but at most by the larger of m / 2^50 and r / 2^34. If r is below m / 2^48, the
+  /// search may find no path although there is one. So choose a domain that is not much larger than the area of the
+  /// items.
   double radius = 0.0;
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   PathBudget budget{};
@@ -231,7 +232,8 @@ struct WAYWRIGHT_API Path {
   /// because another triangle had a smaller bound. If the straight segment from the start to the goal of a point agent
   /// meets no wall, and no vertex between its ends, the member is the number of edges that this segment crosses.
   std::size_t expansions = 0;
-  /// The time that the search took. It is 0 if PathQuery::wants_time is false.
+  /// The time from the start of the search to its end. The time between the slices of a PathSearch counts, too. It is 0
+  /// if PathQuery::wants_time is false.
   std::chrono::nanoseconds time{0};
   std::optional<MovedEnd> moved_start;  ///< set if the search moved the start; the path starts at moved_start->to
   std::optional<MovedEnd> moved_goal;   ///< set if the search moved the goal; the path ends at moved_goal->to

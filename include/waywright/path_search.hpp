@@ -40,7 +40,8 @@ class World;
 /// If PathQuery::radius is above 0, every change of the world makes the next slice start the search again. So does a
 /// call of World::shrink_to_fit that frees the second mesh (WorldOptions::keep_bridges).
 ///
-/// Threads: a search belongs to one thread at a time; step() reads the world.
+/// Threads: a search belongs to one thread at a time. begin() and step() read the world: call them only while no other
+/// thread changes it.
 class WAYWRIGHT_API PathSearch {
  public:
   PathSearch();
@@ -70,7 +71,8 @@ class WAYWRIGHT_API PathSearch {
 
   /// Returns the answer if the search is done. Before that, a search by PathAlgorithm::ta returns the best path so far
   /// and its proven lower bound. The status is PathStatus::no_path as long as `ta` has found no path and, for the other
-  /// algorithms, until the search is done.
+  /// algorithms, until the search is done. After cancel() or an error, the path is no answer. The reference is valid
+  /// until you assign to this object, move it or destroy it; begin() and step() change the path.
   /// Cost: O(1).
   [[nodiscard]] const Path& path() const;
 

@@ -62,7 +62,8 @@ struct PathChanges {
 ///
 /// The watch copies the paths. If you move a watch to another object, you may only assign to the first object or
 /// destroy it.
-/// Threads: a watch belongs to one thread at a time; update() reads the world.
+/// Threads: a watch belongs to one thread at a time. The constructor and update() read the world: call them only while
+/// no other thread changes it.
 class WAYWRIGHT_API PathWatch {
  public:
   /// Makes a watch without paths for a world.

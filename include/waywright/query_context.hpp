@@ -28,7 +28,8 @@ struct QueryScratch;
 /// You can use one context for any number of worlds. No answer depends on earlier queries with the context. If you move
 /// a context to another object, you may only assign to the first object or destroy it.
 /// Threads: only one query at a time may use a context. Many threads may query one world at once, each with its own
-/// context.
+/// context or without one. Of several queries without a context at once, one uses the context that belongs to the
+/// world, and the others make new contexts.
 class WAYWRIGHT_API QueryContext {
  public:
   QueryContext();

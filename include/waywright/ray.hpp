@@ -25,7 +25,8 @@ namespace waywright {
 ///
 /// A disc touches a wall if the wall is not farther from its centre than the radius. So if a disc touches a wall before
 /// it moves, the hit is at the start, whatever the direction of the motion. Items of the kind point are not walls. To
-/// slide a disc along a wall, continue at right angles to the direction from `contact` to `at`.
+/// slide a disc along a wall, continue at right angles to the direction from `contact` to `at`. If `hit` is false,
+/// `items` is empty, and the points have no meaning.
 struct RayHit {
   bool hit = false;  ///< whether the segment or the disc touches a wall
   /// The first position where the segment touches a wall, rounded to the nearest doubles. For a disc: the position of

@@ -48,12 +48,13 @@ class WAYWRIGHT_API ReplayWriter {
 
   /// Records a change that a world has made. The id of the change must not be null: if the world chose the id of an
   /// insertion, set Change::id to it first, or call the function below.
-  /// Errors: bad_id, if the id is null or too large; unwritable.
+  /// Errors: bad_id, if the id is null or too large: the call has then recorded nothing; unwritable: the log then lacks
+  /// lines, so do not continue it.
   /// Cost: linear in the points of the shape.
   Result<void> record(const Change& change);
   /// Records the changes that World::apply has made. `ids` is the answer of that call.
   /// Requires: `ids` has one id for each change.
-  /// Errors: bad_id, if an id is null or too large; unwritable.
+  /// Errors: as for the function above.
   /// Cost: linear in the points of the shapes.
   Result<void> record(std::span<const Change> changes, std::span<const ItemId> ids);
 
@@ -117,15 +118,15 @@ struct ReplayDifference {
   /// The kind of a difference.
   enum class Kind : std::uint8_t {
     domain,  ///< the domains differ
-    change,  ///< a change differs, or one log lacks it
+    change,  ///< a change, mark or rewind differs, or one log lacks it
     hash,    ///< all changes are equal up to this tick, but its hash differs
     /// One log ends after this tick and the other one continues, or their next ticks have different numbers.
     length,
   };
   Kind kind = Kind::change;
   std::uint64_t tick = 0;        ///< the tick during which the logs begin to differ
-  std::uint32_t line = 0;        ///< the line in the first log
-  std::uint32_t other_line = 0;  ///< the line in the second log
+  std::uint32_t line = 0;        ///< the line in the first log, or 0 if this log ends before
+  std::uint32_t other_line = 0;  ///< the line in the second log, or 0 if this log ends before
   ItemId item;                   ///< if `kind` is change: the item that `line` of the first log changes, or null
   ItemId other_item;             ///< if `kind` is change: the item that `other_line` of the second log changes, or null
   std::vector<ItemId> changed;   ///< if `kind` is hash: the items changed since the last equal hash, ascending

@@ -36,6 +36,8 @@ namespace waywright {
 /// save_world(world, stream).value();
 /// const std::size_t item_count = load_world(stream).value().item_count();  // == 2
 /// @endcode
+/// If the items have more than 2^27 - 4 points in all (this is possible if they share corners), load_world() refuses
+/// the saved world.
 /// Errors: unwritable, if the stream accepts no more bytes.
 /// Cost: O(n log n) for n items, and linear in their points. Each point takes 16 bytes. Items of one kind whose ids
 /// count up take almost no further bytes if they are points or segments. Every other item takes up to 11 further bytes.
@@ -49,8 +51,7 @@ namespace waywright {
 /// the domain or an item. BulkOptions::progress reports only the construction of the mesh, which begins after the
 /// function has read all bytes.
 /// Errors: unreadable, if the stream fails; malformed, if the bytes are not a complete, unaltered saved world, or
-/// if the items have more than 2^27 - 4 points in all (a world can have more if its items share corners);
-/// not_supported, if the bytes have another version of the format.
+/// if the items have more than 2^27 - 4 points in all; not_supported, if the bytes have another version of the format.
 /// Cost: the cost of World::insert_all().
 [[nodiscard]] WAYWRIGHT_API Result<World> load_world(std::istream& in, const BulkOptions& options = {});
 

@@ -96,7 +96,8 @@ enum class SceneFormat : unsigned char {
 [[nodiscard]] WAYWRIGHT_API Result<Scene> parse_saved_world(std::string_view bytes, std::string_view name);
 
 /// Reads a scene from a file. A file that starts like a saved world counts as a saved world, whatever its name.
-/// Otherwise the ending of the file name says the format. Error messages start with the file name.
+/// Otherwise the ending of the file name says the format. If a `.poly` file has no vertices, the function also reads
+/// the `.node` file of the same name in the same folder. Error messages start with the file name.
 /// Errors: unreadable, not_supported, malformed, coordinate_range.
 /// Cost: linear in the length of the file; for a saved world, the cost of load_world().
 [[nodiscard]] WAYWRIGHT_API Result<Scene> read_scene(const std::string& file_name);

@@ -57,8 +57,9 @@ namespace waywright {
 ///
 /// Most queries have two forms: see QueryContext. If you move a world to another object, you may only assign to the
 /// first object or destroy it.
-/// Threads: several threads may call const members at once, each with its own QueryContext. While a thread calls a
-/// member that is not const, no other thread may call any member.
+/// Threads: several threads may call const members at once, without a context or each with its own QueryContext. While
+/// a thread calls a member that is not const, no other thread may call any member.
+/// Exceptions: std::bad_alloc, if memory runs out. An operation then changes nothing.
 /// Source: Chen, *Robust Dynamic Constrained Delaunay Triangulation for Pathfinding*, University of Alberta, 2009.
 class WAYWRIGHT_API World {
  public:
@@ -113,9 +114,8 @@ class WAYWRIGHT_API World {
   /// Inserts a polyline, as insert() does: an open chain of sides through one or more points.
   Result<ItemId> insert_polyline(PointSpan points, ItemId id = {});
   /// Inserts a solid obstacle of one or more closed rings, as insert() does:
-  /// `world.insert_polygon({{2, 2}, {4, 2}, {4, 4}})`. The side from the last point of a ring to its first point
-  /// belongs to the ring, so you need not repeat the first point. The fill rule is FillRule::even_odd: a ring in a ring
-  /// bounds a hole.
+  /// `world.insert_polygon({{2, 2}, {4, 2}, {4, 4}})`. A side connects the last point of a ring to its first point, so
+  /// you need not repeat the first point. The fill rule is FillRule::even_odd: a ring in a ring bounds a hole.
   Result<ItemId> insert_polygon(Rings rings, ItemId id = {});
 
   /// Removes an item. The resulting mesh has exactly the vertices, edges and faces that the mesh of a new world with
@@ -301,9 +301,9 @@ class WAYWRIGHT_API World {
   [[nodiscard]] std::vector<ItemId> item_ids() const;
   /// @copydoc item_ids() const
   void item_ids(std::vector<ItemId>& ids) const;
-  /// Returns a copy of the shape of an item as you inserted it, with two exceptions. Of equal consecutive points (also
-  /// of the last and the first point of a ring), it has only one. (A segment always has two points.) And the fill rule
-  /// of an item that is not a polygon is FillRule::even_odd.
+  /// Returns a copy of the shape of an item as you inserted it, with two exceptions. Of equal consecutive points (in a
+  /// polygon, also of the last and the first point of a ring), it has only one. (A segment always has two points.) And
+  /// the fill rule of an item that is not a polygon is FillRule::even_odd.
   /// Errors: unknown_id, bad_id.
   /// Cost: linear in the points of the item.
   [[nodiscard]] Result<Shape> shape(ItemId id) const;
@@ -341,8 +341,8 @@ class WAYWRIGHT_API World {
   /// @copydoc items_at(Point, QueryContext&, std::vector<ItemId>&) const
   [[nodiscard]] Result<std::vector<ItemId>> items_at(Point point) const;
   /// Finds the items whose sides the segment meets, and the positions where it meets them, in the order from `from` to
-  /// `to`. If the segment runs along a side, CrossedItem::at is the point where the overlap starts. Items at the same
-  /// position ascend by id.
+  /// `to`. An item occurs once for each position. If the segment runs along a side, CrossedItem::at is the point where
+  /// the overlap starts. Items at one position ascend. The border of the domain is not listed.
   /// Errors: coordinate_range, out_of_domain.
   /// Cost: the point location of `from`, and the triangles that the segment crosses.
   [[nodiscard]] Result<void> items_crossed(Point from, Point to, QueryContext& context,
@@ -519,8 +519,8 @@ class WAYWRIGHT_API World {
   void find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const;
 
   /// Returns the regions that the operations after version `since` have changed, the oldest first: see ChangedBox.
-  /// Returns nothing if the world no longer has all boxes since that version. The answer is valid until the next
-  /// operation. PathWatch reads these boxes for many paths at once.
+  /// Returns nothing if the world no longer has all boxes since that version. The answer is valid until you call a
+  /// member that is not const. PathWatch reads these boxes for many paths at once.
   /// Cost: O(log n) in the boxes that the world keeps. Allocates nothing.
   [[nodiscard]] std::optional<std::span<const ChangedBox>> changes_since(std::uint64_t since) const;
 

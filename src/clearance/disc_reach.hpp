@@ -10,7 +10,8 @@
 namespace waywright::clearance {
 
 /// Finds the cells from which a disc can move to a goal: the cells that are connected with the cell of the goal by
-/// gates that are not shorter than the diameter. Use one object for many queries, because it keeps its memory.
+/// gates that are not shorter than the diameter (*wide* gates). Use one object for many queries, because it keeps its
+/// memory.
 class DiscReach {
  public:
   /// Starts with the cell of the goal. Requires: until the last call of is_reached(), the mesh and the bridges of

@@ -202,7 +202,8 @@ void NearestFit::clip_circle(HalfEdge h) {
 }
 
 /// Returns whether no polygon covers the face around the origin of `h` in this direction. The direction differs from
-/// the directions of all walls there by 90 degrees or more, up to rounding errors.
+/// the directions of all walls there by 90 degrees or more, up to rounding errors. Returns false if the direction leads
+/// out of the domain.
 bool NearestFit::is_outside(HalfEdge h, const Point& direction) {
   const mesh::TriangleMesh& mesh = triangulation_->topology();
   const Point& centre = position(mesh.origin(h));
@@ -275,8 +276,8 @@ void NearestFit::divide_at_gaps(const OffsetCurve& curve, HalfEdge own, HalfEdge
 }
 
 /// Looks for a point near the position of the interval that is nearest to the query's point. Nearly always, one of the
-/// first attempts succeeds. The other attempts are for corners with a very small angle between two curves, and for
-/// intervals that exist only because of rounding errors.
+/// first attempts succeeds. The other attempts are for positions where two offset curves meet at a very small angle,
+/// and for intervals that exist only because of rounding errors.
 void NearestFit::settle(const Piece& piece) {
   const double parameter = piece.curve.nearest(piece.interval);
   const Point from = piece.curve.at(sharpened(piece, parameter));
@@ -303,8 +304,9 @@ HalfEdge NearestFit::blocker_at(const Piece& piece, double parameter) const {
 }
 
 /// The intervals of clip() are a little longer than the exact ones. If the parameter is an end of such an interval,
-/// returns the end of the exact interval, as precisely as doubles allow. If the angle between the two curves is small,
-/// returns the parameter as it is.
+/// returns the end of the exact interval, as precisely as doubles allow. If the two ends are too far from each other,
+/// returns the parameter as it is. This happens if the curve of the piece and the border of the area that the blocker
+/// blocks meet at a small angle.
 double NearestFit::sharpened(const Piece& piece, double parameter) const {
   const HalfEdge blocker = blocker_at(piece, parameter);
   if (blocker == mesh::kNoHalfEdge) return parameter;
@@ -400,7 +402,8 @@ bool NearestFit::try_at(const Point& position) {
   return try_point(point);
 }
 
-/// Returns whether the disc fits at the point. If it does and the point is the best one so far, remembers it.
+/// Returns whether the disc fits at the point. If it does, the point is allowed (is_allowed()) and no better one is
+/// known, remembers it.
 bool NearestFit::try_point(const Point& point) {
   if (!fits(point)) return false;
   if (best_.is_found) {

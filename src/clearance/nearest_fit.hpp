@@ -84,7 +84,7 @@ class NearestFit {
   void clip_line(std::uint32_t piece);
   void clip_circle(mesh::HalfEdge h);
   [[nodiscard]] bool is_outside(mesh::HalfEdge h, const Point& direction);
-  void clip(const OffsetCurve& curve, mesh::HalfEdge wall);
+  void clip(const OffsetCurve& curve, mesh::HalfEdge own);
   void block(const OffsetCurve& curve, mesh::HalfEdge wall);
   void divide_at_gaps(const OffsetCurve& curve, mesh::HalfEdge own, mesh::HalfEdge wall);
 

@@ -26,9 +26,10 @@ namespace {
 /// meet, but it misses none.
 ///
 /// In coordinates along and across the segment on which the centre moves, earliest() clips an edge to the strip that
-/// the disc covers, and then moves the disc forward until it is near the edge. All numbers have errors of less than
-/// 2^-49 times the sum of the magnitudes, and the disc is larger than the exact one by 2^-46 times this sum. If a
-/// vertex is a crossing, its coordinates are rounded, and the disc is larger by this error, too.
+/// the disc covers, and then moves the disc forward until it is near the edge. For each edge, let s be the sum of the
+/// magnitudes of its four coordinates (along and across), of the length of the motion and of the radius. Each computed
+/// number has an error below 2^-49 s, so earliest() makes the radius larger by 2^-46 s. If the mesh has crossings,
+/// their coordinates are rounded, so earliest() also adds a bound of this rounding error, for every edge.
 class Reach {
  public:
   Reach(const ExactTriangulation& triangulation, const Sweep& sweep)
@@ -122,7 +123,7 @@ Point nearest_on_wall(const Point& point, const Point& a, const Point& b) {
 
 auto key_of(const Touch& touch) { return std::tuple(touch.kind, touch.a.x, touch.a.y, touch.b.x, touch.b.y); }
 
-/// The order of the heap, which has its largest element at the front.
+/// The order for std::push_heap() and std::pop_heap(): they put the edge that the disc may meet earliest to the front.
 constexpr auto is_later = [](const auto& p, const auto& q) { return p.earliest > q.earliest; };
 
 bool is_before(const Point& p, const Point& q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y); }
@@ -138,8 +139,9 @@ void SweptDisc::find_first_wall(const ExactTriangulation& triangulation, const S
   for (const TouchedSide& side : first_) hit.items.push_back(triangulation.items().id(side.item));
   std::sort(hit.items.begin(), hit.items.end());
   hit.items.erase(std::unique(hit.items.begin(), hit.items.end()), hit.items.end());
-  // Equal positions of the centre may differ by rounding errors. The positions of the walls, not their order, determine
-  // which one is the answer.
+  // All sides in `first_` have the same exact position of the centre, but centre_at() may round it differently for
+  // each. So the code takes the touch that is least by key_of(). This choice depends on the coordinates of the sides,
+  // and not on the order in which the search finds them.
   const auto least = std::min_element(first_.begin(), first_.end(), [](const TouchedSide& p, const TouchedSide& q) {
     return key_of(p.touch) < key_of(q.touch);
   });
@@ -179,8 +181,8 @@ void SweptDisc::find_first_sides(const ExactTriangulation& triangulation, const 
   }
 }
 
-/// Adds the sides on an edge to `first_` if no side there precedes them, and removes the sides that they precede.
-/// Returns whether the first touch has changed.
+/// For each side on an edge: adds the side to `first_`, unless the disc touches a side in `first_` earlier. If the disc
+/// touches the new side earlier than the sides in `first_`, removes those. Returns whether the first touch has changed.
 bool SweptDisc::add_sides(const ExactTriangulation& triangulation, const Sweep& sweep, HalfEdge h) {
   if (!triangulation.topology().is_fixed(h)) return false;
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
@@ -202,7 +204,7 @@ bool SweptDisc::add_sides(const ExactTriangulation& triangulation, const Sweep& 
 }
 
 /// The position on the walls in `first_` that is nearest to the centre. If the first touch is not at the start, all
-/// touched walls are equally near.
+/// touched walls are equally near. Of equally near positions, the first in (x, y) order is the answer.
 Point SweptDisc::contact(const Sweep& sweep, const Point& centre) const {
   const bool is_start = first_.front().touch.kind == Touch::Kind::start;
   const Touch* nearest = nullptr;

@@ -25,8 +25,9 @@ Change change_of(const ScriptLine& line) {
   return Change::insert(line.item.shape, line.item.id);
 }
 
-/// The items that may have changed since the last equal hash of a log: the items that a change names, and the items
-/// that have changed between a mark and a rewind to it.
+/// The items that may have changed since the last tick with an equal hash. (In a replay, the hash is equal in the log
+/// and in the world; in a comparison, in both logs.) These are the items that a change names, and the items that have
+/// changed between a mark and a rewind to it.
 class ChangedSinceHash {
  public:
   void add(ItemId id) {
@@ -43,7 +44,7 @@ class ChangedSinceHash {
     after_marks_.erase(first, after_marks_.end());
     marks_.resize(count);
   }
-  /// The hash of a tick is equal: forgets the items.
+  /// Forgets the items. Call this function at a tick with an equal hash.
   void clear() { ids_.clear(); }
   /// Returns the items in ascending order, each once.
   [[nodiscard]] std::vector<ItemId> take() {
@@ -54,7 +55,7 @@ class ChangedSinceHash {
 
  private:
   std::vector<ItemId> ids_;
-  std::vector<ItemId> after_marks_;  ///< the items of the changes since the first mark that no rewind has taken back
+  std::vector<ItemId> after_marks_;  ///< of all changes since the first mark, without those that were taken back
   std::vector<std::size_t> marks_;   ///< by tick - 1: the size of `after_marks_` at the mark
 };
 
@@ -84,7 +85,8 @@ class Replayer {
     if (!apply_changes(result_.tick + 1)) return false;
     if (line.kind == ScriptLineKind::mark) {
       changed_.mark();
-      return world_.mark() != 0;
+      static_cast<void>(world_.mark());
+      return true;
     }
     const Result<void> done = world_.rewind(line.tick);
     if (done.ok()) {
@@ -173,7 +175,8 @@ class Comparison {
     return line != nullptr && (is_change(*line) || is_of_history(*line));
   }
 
-  /// Compares two lines, which are changes or ticks; null is the end of a log. Stores the difference.
+  /// Compares two lines. Each one is a change, a mark, a rewind or a tick, or null at the end of a log. If they differ,
+  /// stores the difference and returns true.
   bool differ(const ScriptLine* a, const ScriptLine* b) {
     if (is_change_or_history(a) || is_change_or_history(b)) {
       if (a != nullptr && b != nullptr && a->kind == b->kind && a->item == b->item && a->tick == b->tick) {
@@ -213,7 +216,7 @@ class Comparison {
   std::size_t i_ = 0;
   std::size_t j_ = 0;
   std::uint64_t tick_ = 0;
-  ChangedSinceHash changed_;  ///< since the last hash in both logs
+  ChangedSinceHash changed_;  ///< since the last tick at which both logs have a hash
   ReplayDifference difference_;
 };
 

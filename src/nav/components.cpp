@@ -13,8 +13,8 @@ using mesh::HalfEdge;
 // update() works in four steps:
 // - It takes the changed faces out of their components.
 // - It divides the new faces into groups. A group is connected through new faces alone.
-// - It finds the pieces into which the change has divided the old components, and makes one component of all groups and
-//   pieces that are connected.
+// - It finds the pieces into which the change has divided the old components, and makes one component of each set of
+//   groups and pieces that are connected with each other.
 // - It updates the covers.
 void Components::update(const Triangulation& triangulation, const Changes& changes) {
   const mesh::TriangleMesh& mesh = triangulation.topology();

@@ -7,9 +7,10 @@
 
 // Adds an inserted polygon to the covers of the components inside it. The code starts at the faces along the boundary
 // of the polygon and floods the faces inside. A polygon is *enclosed* if it lies inside the inserted polygon, does not
-// touch its boundary, and both have one ring. The code does not flood polygons that are enclosed: it adds the inserted
-// polygon to the nodes of the tree of covers that stand for them. So the cost of a polygon around other polygons
-// depends only on the faces that no enclosed polygon covers, however many polygons are enclosed.
+// touch its boundary, and both have one ring. The code does not flood polygons that are enclosed: in the tree of
+// covers, it gives a new parent to the nodes that add an enclosed polygon to the set of their parent. The new parent
+// adds the inserted polygon. So the cost of a polygon around other polygons depends only on the faces that no enclosed
+// polygon covers, however many polygons are enclosed.
 
 namespace waywright::nav {
 
@@ -203,9 +204,10 @@ void Components::visit_boundary(const Triangulation& triangulation, const Windin
     last_ring = ring;
     const std::size_t first = first_corner(triangulation, ring);
     HalfEdge h = outer_half_edge(triangulation, outline_.corners[ring_begin + first]);
-    // The origin of `h` is the ring's first corner in (x, y) order, so the face on the right of `h` lies outside this
-    // ring. If the polygon has only this ring, the winding number in that face is 0. If it has several rings, this ring
-    // may lie inside another one.
+    // The origin of `h` is the ring's first corner in (x, y) order. By outer_half_edge(), the positions directly on the
+    // right of `h` come before it or lie outside the domain. So the face on the right of `h` lies outside this ring. If
+    // the polygon has only this ring, the winding number in that face is 0. If it has several rings, this ring may lie
+    // inside another one.
     std::int32_t here = may_enclose_ ? winding.across(h) : winding_number(triangulation, h, covering_, first_of_all);
     for (std::size_t i = 0; count > 1 && i < count; ++i) {
       visit_inner_faces(triangulation, winding, sides_[sides_begin + (first + i) % count], h, here,
@@ -242,8 +244,9 @@ bool Components::is_on_enclosed(const Triangulation& triangulation, HalfEdge h) 
   return is_found;
 }
 
-/// Whether a polygon is enclosed. Requires: it has a side inside the polygon `covering_`. Both boundaries are
-/// connected. So if they do not touch, all of the other polygon lies inside.
+/// Whether a polygon is enclosed. Requires: it has a side inside the polygon `covering_`. If both polygons have one
+/// ring, the boundary of each is one connected curve. So if the boundaries do not touch, all of `polygon` lies inside
+/// `covering_`.
 bool Components::is_enclosed(const Triangulation& triangulation, std::uint32_t polygon) {
   if (!tested_.insert(polygon)) return is_enclosed_.contains(polygon);
   if (!knows_touching_) collect_touching(triangulation);
@@ -306,9 +309,10 @@ bool Components::is_covered_by_enclosed(Set cover) const {
   return covers_.has_any(cover, cover_at_boundary_, [&](std::uint32_t p) { return is_enclosed_.contains(p); });
 }
 
-/// Adds the polygon to the covers of the flooded components, and to those nodes that stand for enclosed polygons and
-/// that are not below another such node. A flooded component that an enclosed polygon covers is below such a node.
-/// References to one set get one new node.
+/// Changes the covers of the flooded components that no enclosed polygon covers, and the nodes that add an enclosed
+/// polygon to the set of their parent, if the set of the parent contains no enclosed polygon. For each set to which
+/// these components and nodes refer, the function makes one new node, which adds the inserted polygon to this set. The
+/// components and nodes then refer to the new node. The sets of all nodes below change with them.
 void Components::add_to_covers() {
   constraint::keep_one_of_each(flooded_);
   covered_.clear();

@@ -50,9 +50,10 @@ void DiscOptimal::begin(const DiscMap& map, const DiscEnds& ends, double limit, 
   leave_start(ends.at_start());
 }
 
-/// Returns whether the edge `exit` is too short for a line from a pivot. There are two cases: the edge is a bridge that
-/// is shorter than the disc is wide; or the edge is shorter than the disc is wide, and its distance from the vertex of
-/// the pivot is larger than the radius. (If a shorter edge is nearer to the vertex, a line may begin beyond the edge.)
+/// Returns whether the search needs no window across the edge `exit` for lines from `from`, which is a pivot or the
+/// start of the path. There are two cases: the edge is closed (DiscMap::is_closed()); or the edge is shorter than the
+/// disc is wide and, if `from` is a pivot, the distance of the edge from its vertex is larger than the radius. (If a
+/// shorter edge is nearer to the vertex, a line may begin beyond the edge.)
 /// Requires: the edge is not surely long (DiscMap::surely_long); `squared` is its squared length.
 bool DiscOptimal::is_too_short(const Pivot& from, HalfEdge exit, const Edge& edge, double squared) const {
   if (map_->is_closed(exit)) return true;
@@ -73,9 +74,9 @@ bool DiscOptimal::is_window_excluded(const Root& root, const Point& left, const 
   const Pivot& from = root.end.pivot;
   if (is_excluded(from, exit, edge)) return true;
   const bool is_left = from.turn == kTurnLeft;
-  const Point& nearer_ray = is_left ? left : right;
-  if (from.turn * cross(root.direction, nearer_ray) >= 0.0) return false;
-  return is_far_on_other_side(root, nearer_ray, edge) && is_far_on_other_side(root, is_left ? right : left, edge);
+  const Point& ray_on_turn_side = is_left ? left : right;
+  if (from.turn * cross(root.direction, ray_on_turn_side) >= 0.0) return false;
+  return is_far_on_other_side(root, ray_on_turn_side, edge) && is_far_on_other_side(root, is_left ? right : left, edge);
 }
 
 /// Returns whether the point where a ray of a window meets the edge is too far from the line through the vertex of the
@@ -215,7 +216,8 @@ void DiscOptimal::pass_end(const Window& window, Ray& ray, int turn, bool sees_a
 /// the one edge of the face on which this end of the window's edge does not lie. `sees_apex` is false if the apex lies
 /// on this ray. If, in addition, the path turns in the direction `turn` at its root, the path goes along the ray to the
 /// apex, and does not cross the far edge.
-/// Returns whether it has added a turn node, or would have added one if the turn node could be useful.
+/// Returns true if a path may continue after this turn and if there is a tangent from the root to the vertex. The
+/// result is then true even if push_turn() has left out the turn node.
 bool DiscOptimal::note_turn(const Window& window, int turn, bool sees_apex) {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const bool is_left = turn == kTurnLeft;
@@ -327,7 +329,10 @@ double DiscOptimal::bound(const Window& window, const Edge& edge) const {
 /// shorter than the path from an end of the edge to the goal minus the distance from x to this end. So there are two
 /// lower bounds of its length: one falls with t, the other rises, both by 1 for each unit of t. The distance from the
 /// root to x changes by at most 1 for each unit of t. So the sum of this distance and the larger one of the two bounds
-/// is smallest where the two bounds are equal, or at an end of the edge if they are equal nowhere.
+/// is smallest where the two bounds are equal, or at an end of the edge if they are equal nowhere. The path of the disc
+/// may pass the edge at a distance of up to the radius, so the function subtracts the diameter (see bound()). A second
+/// lower bound is the distance of the root's vertex from the goal minus the radius. The function leaves out a bound if
+/// the guide does not know its distances.
 double DiscOptimal::bound_of_guide(const Window& window, const Edge& edge) const {
   const mesh::TriangleMesh& mesh = map_->mesh();
   const Root& root = roots_[window.root];
@@ -418,7 +423,9 @@ void DiscOptimal::push_turn_limit(std::uint32_t index) {
                  turn == kTurnLeft ? DiscLine::Obstacle{} : limit);
 }
 
-/// Adds the line from a root to the end of an earlier line, for which the path has to turn around the root first.
+/// If `earlier` is the index of a turn node, adds a turn node for the line from the root to the end of the line of
+/// `earlier`. The pivot of the root is in the way of that line, or limits the turn before it, so the path turns around
+/// this pivot first.
 void DiscOptimal::push_next_line(std::uint32_t root, std::uint32_t earlier) {
   if (earlier == kNone) return;
   const TurnNode next = turn_nodes_[earlier];
@@ -433,8 +440,8 @@ void DiscOptimal::push_next_line(std::uint32_t root, std::uint32_t earlier) {
 
 /// Returns a root at the same pivot from which the disc can reach the end of the line along the circle, in one of the
 /// two directions, by a path that is not longer. Returns kNone if there is none.
-std::uint32_t DiscOptimal::dominating_root(const TurnNode& node, HalfEdge corner, std::uint32_t first) const {
-  for (std::uint32_t i = first; i != kNone; i = roots_[i].older) {
+std::uint32_t DiscOptimal::dominating_root(const TurnNode& node, HalfEdge corner, std::uint32_t newest) const {
+  for (std::uint32_t i = newest; i != kNone; i = roots_[i].older) {
     const Root& root = roots_[i];
     if (root.length > node.length) continue;
     const bool is_before = node.turn * cross(root.direction, node.line.direction) >= 0.0;
@@ -468,8 +475,8 @@ bool DiscOptimal::is_shorter_with_other_turn(const TurnNode& node, HalfEdge corn
 }
 
 /// Returns the entry in `failed_` of the line from the same root to the same pivot, or kNone.
-std::uint32_t DiscOptimal::failed_line(const TurnNode& node, std::uint32_t first) const {
-  for (std::uint32_t i = first; i != kNone; i = failed_[i].older) {
+std::uint32_t DiscOptimal::failed_line(const TurnNode& node, std::uint32_t newest) const {
+  for (std::uint32_t i = newest; i != kNone; i = failed_[i].older) {
     if (failed_[i].root == node.root) return i;
   }
   return kNone;

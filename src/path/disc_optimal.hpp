@@ -75,7 +75,7 @@ class DiscOptimal {
   struct Ray {
     Point direction;
     mesh::Vertex anchor = mesh::kNoVertex;  ///< the last vertex on the ray that the search has found, or kNoVertex
-    /// Whether the search has made a turn node for an earlier vertex on this ray, in the direction in which the path
+    /// Whether note_turn() has returned true for an earlier vertex on this ray, in the direction in which the path
     /// turns at the root. A path over this turn node continues along the ray and reaches the anchor. So the search
     /// needs no turn node for the anchor.
     bool has_turn = false;
@@ -188,9 +188,9 @@ class DiscOptimal {
   void push_obstacles(std::uint32_t index, const DiscLine::Obstacle& left, const DiscLine::Obstacle& right);
   void push_turn_limit(std::uint32_t index);
   void push_next_line(std::uint32_t root, std::uint32_t earlier);
-  [[nodiscard]] std::uint32_t dominating_root(const TurnNode& node, mesh::HalfEdge corner, std::uint32_t first) const;
+  [[nodiscard]] std::uint32_t dominating_root(const TurnNode& node, mesh::HalfEdge corner, std::uint32_t newest) const;
   [[nodiscard]] bool is_shorter_with_other_turn(const TurnNode& node, mesh::HalfEdge corner);
-  [[nodiscard]] std::uint32_t failed_line(const TurnNode& node, std::uint32_t first) const;
+  [[nodiscard]] std::uint32_t failed_line(const TurnNode& node, std::uint32_t newest) const;
   [[nodiscard]] bool are_on_one_arc(mesh::HalfEdge from, mesh::HalfEdge to, int turn) const;
   void leave_root(std::uint32_t root, mesh::HalfEdge corner);
 

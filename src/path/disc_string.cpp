@@ -61,7 +61,8 @@ void DiscString::run_funnel(std::span<const HalfEdge> exits) {
 }
 
 /// Returns whether the string from the bend with the index `before` over `at` to `after` turns at `at` in the direction
-/// `turn`. At `after`, the string turns in this direction, too.
+/// `turn`. At `after`, the string turns in this direction, too. If there is no tangent, sets `is_funnel_open_` to
+/// false.
 bool DiscString::turns(std::size_t before, const Bend& at, const Bend& after, int turn) {
   const Point to = at.centre - row_[before].centre;
   const Point on = after.centre - at.centre;
@@ -75,19 +76,22 @@ bool DiscString::turns(std::size_t before, const Bend& at, const Bend& after, in
 
 /// Returns whether the string from the apex to `end` has to turn around `other`, the next pivot on the opposite
 /// string of the funnel. This is so if `end` lies beyond the tangent from the apex to `other`, and its own tangent is
-/// longer.
+/// longer. If there is no tangent, sets `is_funnel_open_` to false.
 ///
 /// Consider the angle between the tangent of two pivots and the line between their centres. If the path turns in
 /// opposite directions at the pivots, the sine of this angle is the diameter divided by the distance between the
 /// centres. In all other cases, the angle is smaller. The sum of two sines is at least the sine of the sum. So if the
 /// sine of the angle between the two lines between the centres is larger than the sum of these two sines, a turn from
-/// one tangent to the other has the same direction as a turn from one of these lines to the other. (The sum of the
-/// magnitudes of the two coordinates of a vector is at least the length of the vector.)
+/// one tangent to the other has the same direction as a turn from one of these lines to the other. Let e and o be the
+/// vectors from the apex to the two centres: the sum is at most 2 r / |e| + 2 r / |o|, so the test is whether the
+/// magnitude of cross(e, o) is larger than 2 r (|e| + |o|). (The sum of the magnitudes of the two coordinates of a
+/// vector is at least the length of the vector.)
 bool DiscString::is_across(const Pivot& end, const Pivot& other) {
   const Point to_end_centre = end.centre - row_[apex_].centre;
   const Point to_other_centre = other.centre - row_[apex_].centre;
-  const double angle = -other.turn * cross(to_other_centre, to_end_centre);
-  if (angle > kDiameterAndMargin * map_->radius * (coordinate_sum(to_end_centre) + coordinate_sum(to_other_centre))) {
+  const double cross_of_centres = -other.turn * cross(to_other_centre, to_end_centre);
+  if (cross_of_centres >
+      kDiameterAndMargin * map_->radius * (coordinate_sum(to_end_centre) + coordinate_sum(to_other_centre))) {
     return false;
   }
   const auto to_end = tangent(apex(), end, map_->radius);
@@ -188,8 +192,8 @@ DiscString::Step DiscString::test(std::size_t i) {
 }
 
 /// Replaces a stop. The path cannot touch the circle of the old stop, because `wall` lies between the vertex and the
-/// touching position. The new stop is one of the two ends of the wall: the end around which the path has to turn
-/// farther.
+/// touching position. The new stop is one of the two ends of the wall. For a left turn, it is the end whose tangent
+/// from the previous stop points farther to the right; for a right turn, farther to the left.
 DiscString::Step DiscString::replace_hidden(std::size_t i, HalfEdge wall) {
   const Stop& before = stops_[i - 1];
   const int turn = stops_[i].end.pivot.turn;

@@ -67,7 +67,7 @@ class TraStar {
   [[nodiscard]] unsigned passages_above_goal(mesh::Face f, std::uint32_t marks) const;
   [[nodiscard]] unsigned passages_down(mesh::Face f) const;
   void leave_start_face(mesh::HalfEdge h);
-  void leave(const ChannelNode& node, std::uint32_t position);
+  void leave(const ChannelNode& node, std::uint32_t index);
   void follow(mesh::HalfEdge exit, std::uint32_t before, Sight sight);
   void open(mesh::HalfEdge exit, mesh::HalfEdge entry, std::uint32_t before, const Sight& sight);
   void collect_channel(std::uint32_t goal_node);

@@ -146,7 +146,7 @@ Ellipse ellipse_of(const Path& path) {
 }
 
 /// The lists of an answer, empty at first. During an update, `blocked` and `may_be_blocked` contain slots. At the end,
-/// the update replaces the slots by keys. If memory runs out, the destructor empties them again.
+/// the update replaces the slots by keys. If memory runs out, the destructor empties the lists.
 class Answer {
  public:
   explicit Answer(PathChanges& changes) : changes_(changes) { clear(); }
@@ -321,10 +321,11 @@ void PathWatch::Impl::drop(std::uint32_t slot) noexcept {
 }
 
 /// Checks the path of a point agent, because a changed box may touch `piece`, a piece of this path. Does nothing if
-/// this update has already checked the path. `around` is the box of the piece. Adds the slot of the path to `changes`
-/// if the path is blocked. `boxes` are the boxes of all changes since the last update, or empty if the world no longer
-/// has them. If the piece surely crosses a wall, the path is blocked. This test finds most blocked paths, and costs
-/// less than a walk along the path.
+/// this update has already checked the path. `around` is the box of the piece. check_all() passes a piece without a
+/// diagonal and an empty box: then the function tests the whole path. Adds the slot of the path to `changes` if the
+/// path is blocked. `boxes` are the boxes of all changes since the last update, or empty if the world no longer has
+/// them. If the piece surely crosses a wall, the path is blocked. This test finds most blocked paths, and costs less
+/// than a walk along the path.
 void PathWatch::Impl::check(const Piece& piece, const Box& around, const World& world, Boxes boxes,
                             PathChanges& changes) {
   State& state = states[piece.slot];
@@ -373,9 +374,9 @@ bool PathWatch::Impl::crosses_wall(const Box& around, Diagonal diagonal) const {
 }
 
 /// Returns whether PolylineWalk::find_stretch_state() can decide about the stretches of a path that the boxes touch. A
-/// *stretch* is one straight line of the path, or several that follow each other. The function cannot decide if the
-/// path was blocked, or if an operation has removed an item where the path turns: the turn may have been at a crossing
-/// that no longer exists. If there are many boxes, the result is false, too.
+/// *stretch* is one straight line of the path, or several that follow each other. Returns false in these cases: the
+/// last check has found the path blocked; an operation has removed an item where the path turns, and a crossing may
+/// have vanished with this item; the path has fewer than two points; there are no boxes, or many.
 bool PathWatch::Impl::can_decide_by_stretches(std::uint32_t slot, Boxes boxes) const {
   constexpr std::size_t kMostBoxes = 8;
   const Watched& path = watched[slot];

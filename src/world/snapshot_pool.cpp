@@ -16,8 +16,9 @@ bool Replica::add_handle_if_any() {
   return false;
 }
 
-// Each handle subtracts with release order, and the last one with acquire order. So all queries of the readers happen
-// before the changes for the next snapshot.
+// The subtractions from `handles_` have acquire and release order, so all queries of the readers happen before the last
+// handle calls release(). release() subtracts from `owners_` with release order, and is_free() reads `owners_` with
+// acquire order. So the queries also happen before the changes for the next snapshot.
 void Replica::remove_handle() noexcept {
   if (handles_.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
   if (Replica* const other = std::exchange(released_with_last_handle_, nullptr)) other->release();
