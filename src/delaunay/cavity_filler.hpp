@@ -6,6 +6,7 @@
 
 #include "waywright/memory_use.hpp"
 
+#include "base/compiler.hpp"
 #include "delaunay/legality.hpp"
 #include "delaunay/segment_cavity.hpp"
 #include "exact/sign.hpp"
@@ -76,8 +77,10 @@ class CavityFiller {
   /// last one, `end`. Appends the edges between the triangles to `inner_edges_`. Returns the half-edge of the base.
   template <class Mesh>
   mesh::HalfEdge triangulate(const Geometry& geometry, Mesh& mesh, Chain& chain, mesh::Vertex end);
-  /// Does the same for a large polygon. The triangles are then Delaunay, and legalise_cavity() need not flip an edge.
-  /// Returns kNoHalfEdge, and changes nothing, if SegmentCavity does not triangulate the polygon.
+  /// Fills `triangles_` with the triangles of a large polygon. Returns false if SegmentCavity does not triangulate it.
+  WAYWRIGHT_NO_INLINE bool find_triangles(const Geometry& geometry, const Chain& chain, mesh::Vertex end);
+  /// Does the same as triangulate() for a large polygon. The triangles are then Delaunay, and legalise_cavity() need
+  /// not flip an edge. Returns kNoHalfEdge, and changes nothing, if SegmentCavity does not triangulate the polygon.
   template <class Mesh>
   mesh::HalfEdge triangulate_large(const Geometry& geometry, Mesh& mesh, Chain& chain, mesh::Vertex end);
   template <class Mesh>
@@ -214,20 +217,25 @@ mesh::HalfEdge CavityFiller<Geometry>::triangulate(const Geometry& geometry, Mes
   return chain_vertices_.back().base;
 }
 
+// SegmentCavity takes the vertices counter-clockwise, and the chain lists them clockwise.
+template <class Geometry>
+bool CavityFiller<Geometry>::find_triangles(const Geometry& geometry, const Chain& chain, mesh::Vertex end) {
+  segment_cavity_.clear();
+  const auto add = [&](mesh::Vertex v) { segment_cavity_.add(geometry.view(number(v)), geometry.rounded(number(v))); };
+  add(end);
+  for (auto edge = chain.rbegin(); edge != chain.rend(); ++edge) add(edge->from);
+  return segment_cavity_.triangulate(geometry, triangles_);
+}
+
 // SegmentCavity numbers the vertices counter-clockwise, and the chain lists them clockwise. Each triangle of the list
 // comes after the triangle on whose edge it lies. So the function makes them in the reverse order.
 template <class Geometry>
 template <class Mesh>
 mesh::HalfEdge CavityFiller<Geometry>::triangulate_large(const Geometry& geometry, Mesh& mesh, Chain& chain,
                                                          mesh::Vertex end) {
+  if (!find_triangles(geometry, chain, end)) return mesh::kNoHalfEdge;
   const auto last = static_cast<std::uint32_t>(chain.size());
   const auto vertex = [&](std::uint32_t i) { return i == last ? end : chain[i].from; };
-  segment_cavity_.clear();
-  for (std::uint32_t i = last + 1; i-- > 0;) {
-    const std::uint32_t v = number(vertex(i));
-    segment_cavity_.add(geometry.view(v), geometry.rounded(v));
-  }
-  if (!segment_cavity_.triangulate(geometry, triangles_)) return mesh::kNoHalfEdge;
   bases_.resize(last);
   const auto end_of_piece = [&](std::uint32_t from, std::uint32_t to) {
     return ChainVertex{vertex(to), from, to - from == 1 ? mesh::kNoHalfEdge : bases_[from]};

@@ -33,7 +33,7 @@ class LargeCavity {
   /// first one lies on the base. `positions` are the positions of the border's vertices, counter-clockwise. The base
   /// runs from the last of them to the first. Requires: three or more positions.
   void triangulate(const Geometry& geometry, std::span<const View> positions, std::vector<Triangle>& triangles) {
-    order_.reset(positions.size(), [](Index, Index, Index) { return true; });
+    order_.reset(positions.size());
     triangles_.start(positions.size(), order_.vertices().front());
     for (const Index p : order_.vertices().subspan(1)) {
       triangles_.insert(p, order_.before(p), order_.after(p),

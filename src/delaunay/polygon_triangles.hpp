@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "waywright/memory_use.hpp"
@@ -23,30 +22,11 @@ class InsertionOrder {
  public:
   using Index = std::uint32_t;
 
-  /// Finds the order for `count` vertices. Equal arguments give equal orders. Removes a vertex `v` only if
-  /// may_remove(v, the vertex before it, the vertex after it) is true. Requires: `count` is at least 3, and there is
-  /// always a vertex that it may remove.
-  template <class MayRemove>
-  void reset(std::size_t count, MayRemove&& may_remove) {
-    order_.resize(count - 2);
-    before_.resize(count);
-    after_.resize(count);
-    for (Index i = 0; i < count; ++i) {
-      before_[i] = i - 1;
-      after_[i] = i + 1;
-      if (i + 2 < count) order_[i] = i + 1;
-    }
-    std::uint64_t state = count;
-    for (std::size_t left = order_.size(); left > 0;) {
-      state = state * 6364136223846793005u + 1442695040888963407u;  // Knuth's MMIX generator
-      Index& chosen = order_[static_cast<std::size_t>((state >> 32) * left >> 32)];
-      const Index v = chosen;
-      if (!may_remove(v, before_[v], after_[v])) continue;
-      after_[before_[v]] = after_[v];
-      before_[after_[v]] = before_[v];
-      std::swap(chosen, order_[--left]);
-    }
-  }
+  /// Finds the order for `count` vertices. Equal arguments give equal orders. If `distances` is not empty, it contains
+  /// a number for each vertex, and the function removes no vertex whose number is smaller than the numbers of both
+  /// neighbours. Requires: `count` is at least 3, and no number is smaller than the numbers of the two ends of the
+  /// base.
+  void reset(std::size_t count, std::span<const double> distances = {});
 
   /// The vertices in the order of their insertion.
   [[nodiscard]] std::span<const Index> vertices() const { return order_; }
@@ -80,29 +60,9 @@ class PolygonTriangles {
   [[nodiscard]] Index twin(Index h) const { return twin_[h]; }
 
   /// Starts with one triangle: the base and the vertex `apex`. The polygon will have `count` vertices.
-  void start(std::size_t count, Index apex) {
-    origin_.clear();
-    twin_.clear();
-    free_.clear();
-    outer_.resize(count);
-    const Index base = add(static_cast<Index>(count - 1), 0, apex);
-    for (const Index h : {base, next(base), previous(base)}) join(h, kBorder);
-  }
+  void start(std::size_t count, Index apex);
   /// Makes the triangle of `a`, `b` and `c`. Returns its half-edge from `a` to `b`. Call join() for each half-edge.
-  Index add(Index a, Index b, Index c) {
-    auto first = static_cast<Index>(origin_.size());
-    if (free_.empty()) {
-      origin_.resize(first + 3);
-      twin_.resize(first + 3);
-    } else {
-      first = free_.back();
-      free_.pop_back();
-    }
-    origin_[first] = a;
-    origin_[first + 1] = b;
-    origin_[first + 2] = c;
-    return first;
-  }
+  Index add(Index a, Index b, Index c);
   /// Removes the triangle of `h`.
   void remove(Index h) { free_.push_back(h - h % 3); }
   /// Makes `g` the twin of `h`. If `g` is kBorder, `h` lies on the border of the polygon.
@@ -137,18 +97,7 @@ class PolygonTriangles {
 
   /// Fills `triangles` with the triangles. The first one lies on the base, and each of the others comes after the
   /// triangle on whose edge it lies.
-  void list(std::vector<Triangle>& triangles) {
-    triangles.clear();
-    free_.assign(1, outer_.back());
-    for (std::size_t i = 0; i < free_.size(); ++i) {
-      // The half-edge `base` cuts off a piece of the border. It runs from the last vertex of this piece to the first.
-      const Index base = free_[i];
-      triangles.push_back({target(base), apex(base), origin(base)});
-      for (const Index h : {next(base), previous(base)}) {
-        if (twin_[h] != kBorder) free_.push_back(twin_[h]);
-      }
-    }
-  }
+  void list(std::vector<Triangle>& triangles);
 
   void count_memory(MemoryUse& use) const { memory::count_spare(use, origin_, twin_, outer_, free_, stack_); }
   void release() { memory::release(origin_, twin_, outer_, free_, stack_); }

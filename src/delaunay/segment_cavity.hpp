@@ -10,6 +10,7 @@
 #include "waywright/memory_use.hpp"
 #include "waywright/point.hpp"
 
+#include "base/compiler.hpp"
 #include "delaunay/polygon_triangles.hpp"
 #include "delaunay/tie_rule.hpp"
 #include "exact/sign.hpp"
@@ -51,11 +52,9 @@ class SegmentCavity {
   /// Triangulates the polygon. Fills `triangles` in the order of LargeCavity::triangulate(). Returns whether all
   /// triangles are counter-clockwise, so that they do not overlap. If it returns false, `triangles` has no meaning. The
   /// function does not prove that the triangles are Delaunay. Requires: three or more positions.
-  [[nodiscard]] bool triangulate(const Geometry& geometry, std::vector<Triangle>& triangles) {
+  [[nodiscard]] WAYWRIGHT_NO_INLINE bool triangulate(const Geometry& geometry, std::vector<Triangle>& triangles) {
     find_distances();
-    order_.reset(positions_.size(), [&](Index v, Index before, Index after) {
-      return !(distances_[v] < std::min(distances_[before], distances_[after]));
-    });
+    order_.reset(positions_.size(), distances_);
     triangles_.start(positions_.size(), order_.vertices().front());
     for (const Index p : order_.vertices().subspan(1)) insert(geometry, p);
     triangles_.list(triangles);

@@ -1,0 +1,67 @@
+#include "delaunay/polygon_triangles.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace waywright::delaunay {
+
+void InsertionOrder::reset(std::size_t count, std::span<const double> distances) {
+  order_.resize(count - 2);
+  before_.resize(count);
+  after_.resize(count);
+  for (Index i = 0; i < count; ++i) {
+    before_[i] = i - 1;
+    after_[i] = i + 1;
+    if (i + 2 < count) order_[i] = i + 1;
+  }
+  std::uint64_t state = count;
+  for (std::size_t left = order_.size(); left > 0;) {
+    state = state * 6364136223846793005u + 1442695040888963407u;  // Knuth's MMIX generator
+    Index& chosen = order_[static_cast<std::size_t>((state >> 32) * left >> 32)];
+    const Index v = chosen;
+    // If a number is NaN, the comparison is false. So one of the vertices that are left always passes this test.
+    if (!distances.empty() && distances[v] < std::min(distances[before_[v]], distances[after_[v]])) continue;
+    after_[before_[v]] = after_[v];
+    before_[after_[v]] = before_[v];
+    std::swap(chosen, order_[--left]);
+  }
+}
+
+void PolygonTriangles::start(std::size_t count, Index apex) {
+  origin_.clear();
+  twin_.clear();
+  free_.clear();
+  outer_.resize(count);
+  const Index base = add(static_cast<Index>(count - 1), 0, apex);
+  for (const Index h : {base, next(base), previous(base)}) join(h, kBorder);
+}
+
+PolygonTriangles::Index PolygonTriangles::add(Index a, Index b, Index c) {
+  auto first = static_cast<Index>(origin_.size());
+  if (free_.empty()) {
+    origin_.resize(first + 3);
+    twin_.resize(first + 3);
+  } else {
+    first = free_.back();
+    free_.pop_back();
+  }
+  origin_[first] = a;
+  origin_[first + 1] = b;
+  origin_[first + 2] = c;
+  return first;
+}
+
+void PolygonTriangles::list(std::vector<Triangle>& triangles) {
+  triangles.clear();
+  free_.assign(1, outer_.back());
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    // The half-edge `base` cuts off a piece of the border. It runs from the last vertex of this piece to the first.
+    const Index base = free_[i];
+    triangles.push_back({target(base), apex(base), origin(base)});
+    for (const Index h : {next(base), previous(base)}) {
+      if (twin_[h] != kBorder) free_.push_back(twin_[h]);
+    }
+  }
+}
+
+}  // namespace waywright::delaunay
