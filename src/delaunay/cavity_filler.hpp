@@ -84,7 +84,8 @@ class CavityFiller {
   template <class Mesh>
   mesh::HalfEdge triangulate_large(const Geometry& geometry, Mesh& mesh, Chain& chain, mesh::Vertex end);
   template <class Mesh>
-  mesh::HalfEdge cut_ear(Mesh& mesh, Chain& chain, mesh::Vertex a, const ChainVertex& b, const ChainVertex& r);
+  WAYWRIGHT_NO_INLINE mesh::HalfEdge cut_ear(Mesh& mesh, Chain& chain, mesh::Vertex a, const ChainVertex& b,
+                                             const ChainVertex& r);
   template <class Mesh>
   bool legalise_cavity(const Geometry& geometry, Mesh& mesh);
   /// Links `inner`, the new half-edge of the chain edge `index`, to its twin. If the edge is dangling, waits

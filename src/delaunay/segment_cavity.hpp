@@ -77,7 +77,8 @@ class SegmentCavity {
  private:
   using Index = PolygonTriangles::Index;
 
-  [[nodiscard]] static bool is_left(const Geometry& geometry, const View& a, const View& b, const View& c) {
+  [[nodiscard]] WAYWRIGHT_NO_INLINE static bool is_left(const Geometry& geometry, const View& a, const View& b,
+                                                        const View& c) {
     return geometry.orientation(a, b, c) == exact::Sign::positive;
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/compiler.hpp"
 #include "exact/sign.hpp"
 
 namespace waywright::delaunay {
@@ -10,9 +11,10 @@ namespace waywright::delaunay {
 /// The first of the four lifted points is lowered by an infinitesimal. If the first is d, the circle contains d. If it
 /// is one of the others, a swap of this point and d in the determinant leads to the same case. The orientation of d and
 /// the two remaining points gives the sign: the circle contains d if it is negative.
+/// Not inlined: ties are rare.
 template <class Geometry, class View = typename Geometry::View>
-[[nodiscard]] bool tied_circle_contains(const Geometry& geometry, const View& a, const View& b, const View& c,
-                                        const View& d) {
+[[nodiscard]] WAYWRIGHT_NO_INLINE bool tied_circle_contains(const Geometry& geometry, const View& a, const View& b,
+                                                            const View& c, const View& d) {
   const View* first = &d;
   for (const View* const v : {&a, &b, &c}) {
     if (geometry.order(*v, *first) < 0) first = v;
