@@ -59,13 +59,13 @@ struct NearestFitQuery {
 /// not the answer (see NearestFitQuery::radius), even if the point lies on the boundaries of these polygons.
 ///
 /// The coordinates of the answer are doubles, so the answer can lie a little farther away than the nearest position at
-/// which the disc fits. The distance is the smallest possible one, up to a relative error of 1e-9 or up to the rounding
-/// of coordinates. In an angle between two walls in which the disc only just fits, it fits at few points whose
-/// coordinates are doubles. There the answer can lie up to about a millionth of the radius farther away than the
-/// nearest of these points. If the disc fits only at a single position, or only along a line between two walls, there
-/// is an answer only if doubles can express a position there. Of several equally near points that the search finds, the
-/// first in (x, y) order is the answer. (Along an arc around a vertex, the search finds one point; rounding errors
-/// decide which one it is.)
+/// which the disc fits. The distance exceeds the smallest possible one by at most the larger of two numbers: 1e-9 times
+/// the distance, and the rounding error of the coordinates. There is one exception: near a position where the disc
+/// touches both walls of a narrow angle, there may be few points with double coordinates at which it fits. There the
+/// answer can lie up to about a millionth of the radius farther away than the nearest of these points. If the disc fits
+/// only at a single position, or only along a line between two walls, there is an answer only if doubles can express a
+/// position there. Of several equally near points that the search finds, the first in (x, y) order is the answer.
+/// (Along an arc around a vertex, the search finds one point; rounding errors decide which one it is.)
 struct NearestFit {
   /// Whether there is an answer: a point within the limit where the disc fits and, if the query has a goal, from which
   /// the disc can move to the goal. If the member is false, all other members are zero.

@@ -51,7 +51,7 @@ enum class ErrorCode : std::uint8_t {
   unwritable,         ///< a file or a stream that cannot be written
 };
 
-/// Returns the name of a code in the output of world scripts: `coordinate-range`, `out-of-domain`, ...
+/// Returns the name by which the command `waywright run` prints a code: `coordinate-range`, `out-of-domain` and so on.
 [[nodiscard]] WAYWRIGHT_API std::string_view to_string(ErrorCode code);
 
 /// @}

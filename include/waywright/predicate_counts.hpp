@@ -13,7 +13,7 @@ namespace waywright {
 struct StageCounts {
   /// Doubles with a proven error bound. For crossings: doubles, if no step before the final division rounds.
   std::uint64_t doubles = 0;
-  std::uint64_t lattice = 0;   ///< integers of a fixed width, on the stack
+  std::uint64_t lattice = 0;   ///< integers of a fixed width: coordinates as multiples of one power of two, a lattice
   std::uint64_t integers = 0;  ///< integers of any size
 
   friend bool operator==(const StageCounts&, const StageCounts&) = default;

@@ -29,7 +29,7 @@ enum class ScriptLineKind : std::uint8_t {
   path,
   check,
   hash,
-  clear,
+  clear,  ///< a query: World::is_clear
   tick,
   mark,
   rewind

@@ -240,7 +240,7 @@ class WAYWRIGHT_API World {
   /// the world does not keep its abstraction; no_bridges, if the radius is above 0 and the world does not keep its
   /// bridges.
   /// Cost: the cost of one attempt(), and two point locations for each point. With a radius above 0, also the gaps that
-  /// the disc can pass, and a step for each point, for each area in which a point lies.
+  /// the disc can pass, and one step for each pair of a point and an area in which a point lies.
   [[nodiscard]] Result<bool> would_disconnect(std::span<const Change> changes, PointSpan points, double radius = 0.0);
   /// Does the same for one change: the insertion of a shape.
   [[nodiscard]] Result<bool> would_disconnect(const Shape& shape, PointSpan points, double radius = 0.0);
