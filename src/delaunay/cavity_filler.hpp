@@ -79,8 +79,9 @@ class CavityFiller {
   mesh::HalfEdge triangulate(const Geometry& geometry, Mesh& mesh, Chain& chain, mesh::Vertex end);
   /// Fills `triangles_` with the triangles of a large polygon. Returns false if SegmentCavity does not triangulate it.
   WAYWRIGHT_NO_INLINE bool find_triangles(const Geometry& geometry, const Chain& chain, mesh::Vertex end);
-  /// Does the same as triangulate() for a large polygon. The triangles are then Delaunay, and legalise_cavity() need
-  /// not flip an edge. Returns kNoHalfEdge, and changes nothing, if SegmentCavity does not triangulate the polygon.
+  /// Does the same as triangulate() for a large polygon. The triangles should then be Delaunay: legalise_cavity() tests
+  /// this, and normally flips no edge. Returns kNoHalfEdge, and changes nothing, if SegmentCavity does not triangulate
+  /// the polygon.
   template <class Mesh>
   mesh::HalfEdge triangulate_large(const Geometry& geometry, Mesh& mesh, Chain& chain, mesh::Vertex end);
   template <class Mesh>
@@ -101,7 +102,9 @@ class CavityFiller {
   std::vector<mesh::HalfEdge> inner_edges_;  ///< the edges that cutting the ears has made, except u - w
   SegmentCavity<Geometry> segment_cavity_;
   std::vector<mesh::TriangleMesh::Triangle> triangles_;
-  std::vector<mesh::HalfEdge> bases_;  ///< by chain edge: the base of the last new triangle that starts there
+  /// By chain edge, in triangulate_large(): of the new triangles whose base starts at the vertex `from` of this edge,
+  /// the base of the last one.
+  std::vector<mesh::HalfEdge> bases_;
 };
 
 //              left chain           The faces that the new edge u - w crosses leave a cavity. The new edge divides it

@@ -19,7 +19,7 @@ void InsertionOrder::reset(std::size_t count, std::span<const double> distances)
     state = state * 6364136223846793005u + 1442695040888963407u;  // Knuth's MMIX generator
     Index& chosen = order_[static_cast<std::size_t>((state >> 32) * left >> 32)];
     const Index v = chosen;
-    // If a number is NaN, the comparison is false. So one of the vertices that are left always passes this test.
+    // The loop ends: a vertex with the largest number of those that are left passes this test, and NaN passes it.
     if (!distances.empty() && distances[v] < std::min(distances[before_[v]], distances[after_[v]])) continue;
     after_[before_[v]] = after_[v];
     before_[after_[v]] = before_[v];

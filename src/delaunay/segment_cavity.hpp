@@ -23,14 +23,16 @@ namespace waywright::delaunay {
 /// simple: a vertex at which an edge dangles into the polygon occurs several times on its border.
 ///
 /// The class inserts the vertices in random order, like LargeCavity. There are two differences:
-/// - It does not remove a vertex from the polygon, and so does not insert it later, if both neighbours of the vertex
-///   are farther from the segment. So the smaller polygons are weakly simple, too.
-/// - The new vertex also replaces a triangle if the new vertex does not see the triangle's edge from its front.
+/// - To find the order, LargeCavity removes any vertex from the polygon. This class first removes a neighbour of a
+///   vertex if both neighbours are farther from the segment. So the polygon that is left is weakly simple, too.
+/// - The new vertex also replaces a triangle if the new triangle on the edge between them would not be
+///   counter-clockwise.
 ///
 /// Source: Shewchuk and Brown, *Fast segment insertion and incremental construction of constrained Delaunay
-/// triangulations*, 2015. Their algorithm triangulates a part of the new triangles again if the new vertex does not see
-/// it, and then takes expected time O(n log n) for n vertices. In our tests this happened to no large polygon, so this
-/// class does not contain this step: triangulate() then returns false.
+/// triangulations*, 2015: the expected time is linear in the number of edges that the segment crosses. If the new
+/// vertex does not see all vertices to which the method connects it, some new triangles are clockwise. The algorithm of
+/// Shewchuk and Brown triangulates these parts again. In our tests, no large polygon needs this step. This class leaves
+/// it out: if a polygon needs it, triangulate() returns false.
 template <class Geometry>
 class SegmentCavity {
  public:
@@ -82,8 +84,7 @@ class SegmentCavity {
     return geometry.orientation(a, b, c) == exact::Sign::positive;
   }
 
-  /// Computes the distance of each vertex from the line of the segment, times a constant. If a number is too large for
-  /// a double, the result can be NaN.
+  /// Computes the distance of each vertex from the line of the segment, times a constant.
   void find_distances() {
     const Point a = rounded_.back();
     const Point b = rounded_.front();

@@ -7,10 +7,11 @@
 
 // Adds an inserted polygon to the covers of the components inside it. The code starts at the faces along the boundary
 // of the polygon and floods the faces inside. A polygon is *enclosed* if it lies inside the inserted polygon, does not
-// touch its boundary, and both have one ring. The code does not flood polygons that are enclosed: in the tree of
-// covers, it gives a new parent to the nodes that add an enclosed polygon to the set of their parent. The new parent
-// adds the inserted polygon. So the cost of a polygon around other polygons depends only on the faces that no enclosed
-// polygon covers, however many polygons are enclosed.
+// touch its boundary, and both have one ring. The code does not flood polygons that are enclosed: in the tree of covers
+// (CoverTree), a node represents the set of its parent and one more polygon, which it *adds*. The code gives a new
+// parent to the nodes that add an enclosed polygon to the set of their parent. The new parent adds the inserted
+// polygon. So the cost of a polygon around other polygons depends only on the faces that no enclosed polygon covers,
+// however many polygons are enclosed.
 
 namespace waywright::nav {
 
@@ -205,9 +206,9 @@ void Components::visit_boundary(const Triangulation& triangulation, const Windin
     const std::size_t first = first_corner(triangulation, ring);
     HalfEdge h = outer_half_edge(triangulation, outline_.corners[ring_begin + first]);
     // The origin of `h` is the ring's first corner in (x, y) order. By outer_half_edge(), the positions directly on the
-    // right of `h` come before it or lie outside the domain. So the face on the right of `h` lies outside this ring. If
-    // the polygon has only this ring, the winding number in that face is 0. If it has several rings, this ring may lie
-    // inside another one.
+    // right of `h` come before this corner or lie outside the domain. So the face on the right of `h` lies outside this
+    // ring. If the polygon has only this ring, the winding number in that face is 0. If it has several rings, this ring
+    // may lie inside another one.
     std::int32_t here = may_enclose_ ? winding.across(h) : winding_number(triangulation, h, covering_, first_of_all);
     for (std::size_t i = 0; count > 1 && i < count; ++i) {
       visit_inner_faces(triangulation, winding, sides_[sides_begin + (first + i) % count], h, here,
@@ -309,10 +310,11 @@ bool Components::is_covered_by_enclosed(Set cover) const {
   return covers_.has_any(cover, cover_at_boundary_, [&](std::uint32_t p) { return is_enclosed_.contains(p); });
 }
 
-/// Changes the covers of the flooded components that no enclosed polygon covers, and the nodes that add an enclosed
-/// polygon to the set of their parent, if the set of the parent contains no enclosed polygon. For each set to which
-/// these components and nodes refer, the function makes one new node, which adds the inserted polygon to this set. The
-/// components and nodes then refer to the new node. The sets of all nodes below change with them.
+/// Changes two kinds of references: the cover of each flooded component that no enclosed polygon covers, and the parent
+/// of each node that adds an enclosed polygon, if the set of the parent contains no enclosed polygon. For each set that
+/// is such a cover or the set of such a parent, the function makes one new node, which adds the inserted polygon to
+/// this set. The references then refer to the new node. So all descendants of a moved node get the inserted polygon,
+/// too.
 void Components::add_to_covers() {
   constraint::keep_one_of_each(flooded_);
   covered_.clear();

@@ -78,14 +78,13 @@ bool DiscString::turns(std::size_t before, const Bend& at, const Bend& after, in
 /// string of the funnel. This is so if `end` lies beyond the tangent from the apex to `other`, and its own tangent is
 /// longer. If there is no tangent, sets `is_funnel_open_` to false.
 ///
-/// Consider the angle between the tangent of two pivots and the line between their centres. If the path turns in
-/// opposite directions at the pivots, the sine of this angle is the diameter divided by the distance between the
-/// centres. In all other cases, the angle is smaller. The sum of two sines is at least the sine of the sum. So if the
-/// sine of the angle between the two lines between the centres is larger than the sum of these two sines, a turn from
-/// one tangent to the other has the same direction as a turn from one of these lines to the other. Let e and o be the
-/// vectors from the apex to the two centres: the sum is at most 2 r / |e| + 2 r / |o|, so the test is whether the
-/// magnitude of cross(e, o) is larger than 2 r (|e| + |o|). (The sum of the magnitudes of the two coordinates of a
-/// vector is at least the length of the vector.)
+/// Let e and o be the vectors from the centre of the apex to the centres of `end` and `other`. The sine of the angle
+/// between e and the tangent to `end` is at most 2 r / |e|. (It is 2 r / |e| if the path turns in opposite directions
+/// at the two pivots.) The same is true of o and `other`. The sum of two sines is at least the sine of the sum. So if
+/// the sine of the angle between e and o is larger than the sum of these two bounds, a turn from one tangent to the
+/// other has the same direction as a turn from e to o. If e lies on the inner side of o by such an angle, `end` does
+/// not lie beyond the tangent to `other`, and the function computes no tangent. (The sum of the magnitudes of the two
+/// coordinates of a vector is at least the length of the vector.)
 bool DiscString::is_across(const Pivot& end, const Pivot& other) {
   const Point to_end_centre = end.centre - row_[apex_].centre;
   const Point to_other_centre = other.centre - row_[apex_].centre;
