@@ -33,23 +33,12 @@ class LargeCavity {
   /// first one lies on the base. `positions` are the positions of the border's vertices, counter-clockwise. The base
   /// runs from the last of them to the first. Requires: three or more positions.
   void triangulate(const Geometry& geometry, std::span<const View> positions, std::vector<Triangle>& triangles) {
-    order_.reset(positions.size());
-    triangles_.start(positions.size(), order_.vertices().front());
-    for (const Index p : order_.vertices().subspan(1)) {
-      triangles_.insert(p, order_.before(p), order_.after(p),
-                        [&](Index h) { return is_in_circle(geometry, positions, h, p); });
-    }
-    triangles_.list(triangles);
+    const auto replaces = [&](Index h, Index p) { return is_in_circle(geometry, positions, h, p); };
+    triangles_.triangulate(positions.size(), {}, replaces, triangles);
   }
 
-  void count_memory(MemoryUse& use) const {
-    order_.count_memory(use);
-    triangles_.count_memory(use);
-  }
-  void release() {
-    order_.release();
-    triangles_.release();
-  }
+  void count_memory(MemoryUse& use) const { triangles_.count_memory(use); }
+  void release() { triangles_.release(); }
 
  private:
   using Index = PolygonTriangles::Index;
@@ -69,7 +58,6 @@ class LargeCavity {
     return tied_circle_contains(geometry, a, b, c, d);
   }
 
-  InsertionOrder order_;
   PolygonTriangles triangles_;
 };
 

@@ -56,22 +56,18 @@ class SegmentCavity {
   /// function does not prove that the triangles are Delaunay. Requires: three or more positions.
   [[nodiscard]] WAYWRIGHT_NO_INLINE bool triangulate(const Geometry& geometry, std::vector<Triangle>& triangles) {
     find_distances();
-    order_.reset(positions_.size(), distances_);
-    triangles_.start(positions_.size(), order_.vertices().front());
-    for (const Index p : order_.vertices().subspan(1)) insert(geometry, p);
-    triangles_.list(triangles);
+    triangles_.triangulate(
+        positions_.size(), distances_, [&](Index h, Index p) { return replaces(geometry, h, p); }, triangles);
     return std::all_of(triangles.begin(), triangles.end(), [&](const Triangle& triangle) {
       return is_left(geometry, positions_[triangle.from], positions_[triangle.apex], positions_[triangle.to]);
     });
   }
 
   void count_memory(MemoryUse& use) const {
-    order_.count_memory(use);
     triangles_.count_memory(use);
     memory::count_spare(use, positions_, rounded_, distances_);
   }
   void release() {
-    order_.release();
     triangles_.release();
     memory::release(positions_, rounded_, distances_);
   }
@@ -94,31 +90,18 @@ class SegmentCavity {
     }
   }
 
-  void insert(const Geometry& geometry, Index p) {
-    triangles_.insert(p, order_.before(p), order_.after(p), [&](Index h) {
-      if (is_in_circle(geometry, h, p)) return true;
-      return !is_left(geometry, positions_[triangles_.target(h)], positions_[triangles_.origin(h)], positions_[p]);
-    });
-  }
-
-  /// Whether the circle of the triangle of `h` contains `p`. If a dangling edge starts at a vertex of the triangle, `p`
-  /// may have the same position as this vertex. Then the circle does not contain `p`.
-  [[nodiscard]] bool is_in_circle(const Geometry& geometry, Index h, Index p) const {
+  /// Whether the new vertex `p` replaces the triangle of `h`. If a dangling edge starts at a corner of the triangle,
+  /// `p` may have the same position as this corner. The in-circle test then has no meaning, but the orientation test
+  /// makes `p` replace the triangle: the corner is an end of `h`, or it lies beyond `h`.
+  [[nodiscard]] bool replaces(const Geometry& geometry, Index h, Index p) const {
     const View& a = positions_[triangles_.origin(h)];
     const View& b = positions_[triangles_.target(h)];
-    const View& c = positions_[triangles_.apex(h)];
-    const View& d = positions_[p];
-    const exact::Sign sign = geometry.in_circle(a, b, c, d);
-    if (sign != exact::Sign::zero) return sign == exact::Sign::positive;
-    for (const View* const v : {&a, &b, &c}) {
-      if (geometry.order(*v, d) == 0) return false;
-    }
-    return tied_circle_contains(geometry, a, b, c, d);
+    return circle_contains(geometry, a, b, positions_[triangles_.apex(h)], positions_[p]) ||
+           !is_left(geometry, b, a, positions_[p]);
   }
 
   std::vector<View> positions_;
   std::vector<Point> rounded_;
-  InsertionOrder order_;
   PolygonTriangles triangles_;
   std::vector<double> distances_;  ///< by vertex: see find_distances()
 };
