@@ -227,10 +227,11 @@ struct WAYWRIGHT_API Path {
   /// false, or if the query has a radius above 0: the lines and arcs may leave the channel of the search.
   std::vector<Portal> channel;
   /// The number of triangles that the search entered. If the query has a radius above 0, the member also counts the
-  /// straight lines that the search took from its open list. PathAlgorithm::tra counts only the triangles at which it
-  /// had a choice. For a disc, it also counts the triangles of long corridors at which the search stopped for a while,
-  /// because another triangle had a smaller bound. If the straight segment from the start to the goal of a point agent
-  /// meets no wall, and no vertex between its ends, the member is the number of edges that this segment crosses.
+  /// straight lines to a next turn, or to the goal, that the search has examined. PathAlgorithm::tra counts only the
+  /// triangles at which it had a choice. For a disc, it also counts the triangles of long corridors at which the search
+  /// stopped for a while, because another triangle had a smaller bound. If the straight segment from the start to the
+  /// goal of a point agent meets no wall, and no vertex between its ends, the member is the number of edges that this
+  /// segment crosses.
   std::size_t expansions = 0;
   /// The time from the start of the search to its end. The time between the slices of a PathSearch counts, too. It is 0
   /// if PathQuery::wants_time is false.

@@ -19,8 +19,9 @@ namespace waywright {
 /// and the edge is opposite to this vertex.
 ///
 /// The coordinates are rounded: use them only for pictures. The search itself decides exactly, without these
-/// coordinates. If the search sees an edge at an angle that is too small for doubles, the interval reaches to the end
-/// of the edge.
+/// coordinates. The ends of the interval are the positions where two rays from the root meet the edge. If a ray is
+/// nearly parallel to the edge, so that doubles cannot express where they meet, then the end of the edge on the same
+/// side (left or right) is the end of the interval.
 struct SearchWindow {
   Point root;           ///< the last turn of the path, or its start
   Portal edge;          ///< the whole edge; left and right as seen from the root
