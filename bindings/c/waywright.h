@@ -582,9 +582,9 @@ typedef struct ww_widest_path {
   ww_point to;          /* where this gap ends, rounded */
 } ww_widest_path;
 
-/* Finds the largest disc that can move from start to goal, and the gap that stops every larger disc. The disc must also
-   fit at both ends: see ww_world_fit_disc. The lists are the items with a side at the two ends of the gap, ascending; 0
-   is the border of the domain. Further errors: WW_NO_BRIDGES. */
+/* Finds the largest disc that can move from start to goal, and the gap that stops every larger disc. The answer does
+   not say whether the disc fits at the start and at the goal: ww_world_fit_disc says this. The lists are the items with
+   a side at the two ends of the gap, ascending; 0 is the border of the domain. Further errors: WW_NO_BRIDGES. */
 WW_API ww_status ww_world_widest_path(const ww_world* world, ww_point start, ww_point goal, ww_context* context,
                                       ww_widest_path* widest, ww_id* from_items, size_t from_capacity,
                                       size_t* from_count, ww_id* to_items, size_t to_capacity, size_t* to_count);
@@ -888,9 +888,10 @@ WW_API ww_status ww_snapshot_world(const ww_snapshot* snapshot, const ww_world**
    Threads: a watch belongs to one thread at a time; making and updating it reads the world. */
 WW_API ww_status ww_path_watch_create(const ww_world* world, ww_path_watch** watch);
 WW_API void ww_path_watch_destroy(ww_path_watch* watch);
-/* Watches a copy of a path under a key, instead of the path that the watch has under this key. The path must have been
-   found in the world as it is now, or as it was at the last update. It may also be a path that was not found. Errors:
-   WW_INVALID_ARGUMENT, if the path is found, but has no points and no pieces (ww_many_goals_query.wants_points). */
+/* Watches a copy of a path under a key, instead of the path that the watch has under this key. The path must be the
+   answer of a query (found or not) in the world as it is now, or as it was at the last update. An older answer is
+   allowed, too, if its path is not blocked in the world as it was at the last update. Errors: WW_INVALID_ARGUMENT, if
+   the path is found, but has no points and no pieces (ww_many_goals_query.wants_points). */
 WW_API ww_status ww_path_watch_add(ww_path_watch* watch, uint64_t key, const ww_path* path);
 /* Stops watching the path under a key. `was_there` receives whether there was one, and may be null. */
 WW_API ww_status ww_path_watch_remove(ww_path_watch* watch, uint64_t key, ww_bool* was_there);

@@ -262,9 +262,9 @@ struct WAYWRIGHT_API Path {
   ///
   /// On the path of a disc, the function rounds to nearest. The distance from the position to all walls is at least the
   /// radius, minus the rounding error: with Precision::float64 a few units in the last place of the largest coordinate
-  /// or of the radius, with Precision::float32 one unit in the last place of a `float`. So a disc that touches a wall
-  /// may not fit exactly at the position, see World::fit_disc. The heading has no jumps, because the lines touch the
-  /// arcs.
+  /// of the path or of the radius, with Precision::float32 one unit in the last place of the larger coordinate of the
+  /// position, as a `float`. So a disc that touches a wall may not fit exactly at the position, see World::fit_disc.
+  /// The heading has no jumps, because the lines touch the arcs.
   /// Requires: the path has points or pieces.
   /// Cost: linear in the turns (for a disc, the pieces) before the position.
   [[nodiscard]] PathPosition at(double distance, Precision precision = Precision::float64) const;

@@ -240,7 +240,7 @@ class WAYWRIGHT_API World {
   /// the world does not keep its abstraction; no_bridges, if the radius is above 0 and the world does not keep its
   /// bridges.
   /// Cost: the cost of one attempt(), and two point locations for each point. With a radius above 0, also the gaps that
-  /// the disc can pass, and one step for each pair of a point and an area in which a point lies.
+  /// the disc can pass, and the number of points times the number of different areas in which they lie.
   [[nodiscard]] Result<bool> would_disconnect(std::span<const Change> changes, PointSpan points, double radius = 0.0);
   /// Does the same for one change: the insertion of a shape.
   [[nodiscard]] Result<bool> would_disconnect(const Shape& shape, PointSpan points, double radius = 0.0);
@@ -422,9 +422,9 @@ class WAYWRIGHT_API World {
   /// Lists the bridges, so that a program can draw or inspect them. The list contains a bridge if the straight line
   /// from Bridge::from to Bridge::to has a position in common with the closed box. The box may reach beyond the domain.
   /// Errors: coordinate_range; bad_domain, if min is beyond max; no_bridges, if the world does not keep its bridges.
-  /// Cost: the point location of a corner of the box, the triangles that meet the box or that bridges through the box
-  /// cross, and n log n in the listed bridges. Allocates nothing if `context` and `list` have been used for a query of
-  /// the same size before.
+  /// Cost: the point location of a corner of the box, the triangles in which a position of the box or of a listed
+  /// bridge lies, and n log n in the listed bridges. Allocates nothing if `context` and `list` have been used for a
+  /// query of the same size before.
   [[nodiscard]] Result<void> bridges(const Box& box, QueryContext& context, BridgeList& list) const;
   /// @copydoc bridges(const Box&, QueryContext&, BridgeList&) const
   [[nodiscard]] Result<BridgeList> bridges(const Box& box) const;

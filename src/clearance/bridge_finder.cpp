@@ -232,8 +232,8 @@ bool BridgeFinder::is_bridge_to(HalfEdge corner, HalfEdge wall) {
 }
 
 // A constructed vertex lies strictly inside both of its sides. If one of these sides ends at the start of the gap, the
-// other end of this side gives the same sign. This end is explicit, so the decision does not need integers of any size.
-// In worlds of rectangles, this is frequent.
+// other end of this side gives the same sign. This end is explicit, so the sign needs no integers of arbitrary
+// precision. In worlds of rectangles, this is frequent.
 Sign BridgeFinder::side_of_foot(const Gap& gap, Vertex v) const {
   if (is_explicit(v)) return exact::dot(gap.from, position_of(v), gap.a, gap.b);
   const exact::ExactPosition point = geometry_.exact(number(v));

@@ -18,7 +18,7 @@ namespace waywright::clearance {
 
 /// The scratch of BridgeFinder. Keep the object: later searches use its memory again.
 struct BridgeScratch {
-  std::vector<mesh::HalfEdge> to_enter;        ///< half-edges through which a search enters faces
+  std::vector<mesh::HalfEdge> to_enter;        ///< half-edges through which ChangedRegion enters faces
   std::vector<mesh::HalfEdge> to_test;         ///< half-edges through which the search for walls in a disc enters faces
   memory::ZeroedArray<std::uint32_t> visited;  ///< by face: the number of the last search that visited it
   memory::Stamp stamp;

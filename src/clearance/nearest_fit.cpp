@@ -402,8 +402,8 @@ bool NearestFit::try_at(const Point& position) {
   return try_point(point);
 }
 
-/// Returns whether the disc fits at the point. If it does, the point is allowed (is_allowed()) and no better one is
-/// known, remembers it.
+/// Returns whether the disc fits at the point. Remembers the point if three conditions hold: the disc fits there, the
+/// point is allowed (is_allowed()), and no better point is known.
 bool NearestFit::try_point(const Point& point) {
   if (!fits(point)) return false;
   if (best_.is_found) {

@@ -40,7 +40,7 @@ class NearestFit {
   struct Goal {
     const Triangulation& walls;
     const Bridges& bridges;
-    CellEdge cell;  ///< an edge of the cell that contains the goal, where the disc fits
+    CellEdge cell;  ///< an edge of the cell that contains the goal; the disc fits at the goal
   };
 
   /// Returns the nearest point where the disc fits, or nothing if there is none within the limit. If `goal` is not

@@ -23,10 +23,10 @@ namespace waywright::delaunay {
 /// simple: a vertex at which an edge dangles into the polygon occurs several times on its border.
 ///
 /// The class inserts the vertices in random order, like LargeCavity. There are two differences:
-/// - To find the order, LargeCavity removes any vertex from the polygon. This class first removes a neighbour of a
-///   vertex if both neighbours are farther from the segment. So the polygon that is left is weakly simple, too.
-/// - The new vertex also replaces a triangle if the new triangle on the edge between them would not be
-///   counter-clockwise.
+/// - To find the order, LargeCavity removes any vertex from the polygon. This class removes no vertex while both of its
+///   neighbours are farther from the segment than the vertex. So the polygon that is left is weakly simple, too.
+/// - Consider a triangle behind an edge of the area that the new vertex has replaced so far. The new vertex also
+///   replaces this triangle if the vertex and the edge would form a triangle that is not counter-clockwise.
 ///
 /// Source: Shewchuk and Brown, *Fast segment insertion and incremental construction of constrained Delaunay
 /// triangulations*, 2015: the expected time is linear in the number of edges that the segment crosses. If the new

@@ -81,7 +81,7 @@ template <class Coordinate>
                                                      const Point& b2);
 
 /// The largest radius of a disc whose diameter is not larger than the length of the gap: half the length, rounded down
-/// exactly. Requires: the gap has a length. Cost: a few products of wide integers, which allocate nothing.
+/// exactly. Requires: the length of the gap is above 0. Cost: a few products of wide integers, which allocate nothing.
 [[nodiscard]] double largest_radius(const Gap& gap);
 
 /// The length of the gap, up to a few ulps. For output and for the order of a search only, never for decisions.

@@ -253,7 +253,7 @@ class Components {
   std::vector<std::uint32_t> group_sets_;     ///< the sets of connected groups, see root_of()
   std::vector<std::uint32_t> regions_;        ///< the sets of groups that share walls; empty until find_regions()
   std::vector<OldNeighbour> old_neighbours_;  ///< by component, then by group
-  std::vector<Search> searches_;              ///< the first search_sets_.size() of them search one old component
+  std::vector<Search> searches_;              ///< search_sets_.size() of them are in use, all in one old component
   std::vector<std::uint32_t> search_sets_;    ///< the sets of searches that have met, see root_of()
   std::vector<std::uint32_t> alternating_;    ///< the searches that search_beside() advances alternately
   std::uint32_t round_ = 0;                   ///< see Search::round

@@ -75,9 +75,9 @@ class DiscOptimal {
   struct Ray {
     Point direction;
     mesh::Vertex anchor = mesh::kNoVertex;  ///< the last vertex on the ray that the search has found, or kNoVertex
-    /// Whether note_turn() has returned true for an earlier vertex on this ray, in the direction in which the path
-    /// turns at the root. A path over this turn node continues along the ray and reaches the anchor. So the search
-    /// needs no turn node for the anchor.
+    /// Whether note_turn() has returned true for an earlier vertex on this ray, with the direction of turn of the
+    /// window's root. A path that turns at the earlier vertex continues along the ray and reaches the anchor. So the
+    /// search needs no turn node for the anchor.
     bool has_turn = false;
   };
   struct Window {

@@ -130,8 +130,8 @@ class Optimal {
   /// turns, the first root has the leftmost window, and the last root has the rightmost one.
   struct Node {
     Kind kind;
-    bool has_window;       ///< of a turn: whether a window waits in this node until the search makes the turn
-    mesh::HalfEdge entry;  ///< of a window: its edge, in the face beyond it; of a turn: an edge that ends at the turn
+    bool has_window;           ///< of a turn: whether a window waits in this node until the search makes the turn
+    mesh::HalfEdge entry;      ///< of a window: its edge, in the face beyond it; of a turn: an edge at the turn
     std::uint32_t left_root;   ///< the root of the leftmost window; of a left turn: the root before it
     std::uint32_t right_root;  ///< the root of the rightmost window; of a right turn: the root before it
     mesh::Vertex left;         ///< the vertex that bounds the cone on the left; of a left turn, where the path turns
