@@ -19,7 +19,7 @@ namespace waywright {
 /// @addtogroup items
 /// @{
 
-/// The rings of a shape: lists of points, all in one array, so that one ring costs one allocation.
+/// The rings of a shape: lists of points, all in one array, so a shape with a single ring needs only one allocation.
 ///
 /// @code{.cpp}
 /// const Rings one = {{0, 0}, {4, 0}, {4, 4}};  // one ring, from braces

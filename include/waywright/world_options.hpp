@@ -33,9 +33,10 @@ struct WorldOptions {
   /// World::shrink_to_fit() drops the second mesh if no item needs it any more. The first such item
   /// costs as much as a new world, because the world then makes the second mesh.
   ///
-  /// There are scenes in which bridges cost far more: if n walls end on one line, or are nearly parallel, and face a
-  /// large open area, each bridge across this area costs up to n steps. With a street of 1,000 short walls on one line,
-  /// bridges take most of the time of a bulk load (50 ms); with 4,000 walls, the load takes 16 times as long.
+  /// There are scenes in which bridges cost far more: if n walls end on one line, like the teeth of a comb, or are
+  /// nearly parallel, and face a large open area, each bridge across this area costs up to n steps. With a comb of
+  /// 1,000 short walls, bridges take most of the time of a bulk load (50 ms); with 4,000 walls, the load takes 16 times
+  /// as long.
   bool keep_bridges = false;
   /// The largest number of vertices that one operation may make. World::set_new_vertex_limit changes it. World::rewind
   /// has no limit, because the world had its vertices before.

@@ -45,9 +45,11 @@ class CavityFiller {
 
  private:
   static constexpr std::uint32_t kNotDangling = 0xffffffff;
+  // The new edge divides the cavity into two polygons: one on its left, one on its right. The *chain* of a polygon is
+  // its border without the new edge.
   static constexpr std::size_t kLargePolygon = 32;  ///< a polygon is large if its chain has more edges than this
 
-  /// An edge on the border of one of the two polygons. It runs from the vertex `from` to the vertex `from` of the next
+  /// An edge in the chain of one of the two polygons. It runs from the vertex `from` to the vertex `from` of the next
   /// edge in the chain.
   struct ChainEdge {
     mesh::Vertex from;

@@ -279,12 +279,12 @@ TriangleMesh::Flipped TriangleMesh::flip_unlogged(HalfEdge h) {
   return {diagonal, previous(t)};
 }
 
-//            apex            `one` and `other` are half-edges on the cavity's border, or bases of new triangles. If one
-//           /    \           lies on the border, the new triangle uses its face, which nothing else needs. Then this
-//      one /      \ other    half-edge and its twin do not change. If both lie on the border, `other` moves to the face
-//         /        \         of `one`, and its old face is freed. If both are bases, the new triangle takes a freed
-//    from -------- to        face. A new base has no twin yet. It replaces `one` in `border`.
-//           base
+//            apex            Each of `one` and `other` is a half-edge on the cavity's border, or the base of a new
+//           /    \           triangle. If only one of the two lies on the border, the new triangle uses its face,
+//      one /      \ other    which nothing else needs. Then this half-edge and its twin do not change. If both lie
+//         /        \         on the border, `other` moves to the face of `one`, and its old face is freed. If both
+//    from -------- to        are bases, the new triangle takes a freed face. A new base has no twin yet. It
+//           base             replaces `one` in `border`.
 HalfEdge TriangleMesh::refill(std::span<HalfEdge> border, std::span<const Triangle> triangles) {
   for (const HalfEdge h : border) save(face(h));
   HalfEdge base = kNoHalfEdge;

@@ -26,7 +26,8 @@ class Abstraction {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  /// The abstraction of a triangulation. Pass the same triangulation to every update(); it may have been moved.
+  /// The abstraction of a triangulation. Pass the same triangulation to every update(). The triangulation may have been
+  /// moved to another object in between: then pass this object.
   explicit Abstraction(const Triangulation& triangulation);
   /// Copies the components and the core. Requires: no operation is under way.
   Abstraction(const Abstraction& other)

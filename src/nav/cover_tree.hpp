@@ -116,7 +116,7 @@ class CoverTree {
   void free(Set node);
 
   memory::JournaledArray<Node> nodes_;
-  memory::Pages<First> firsts_;  ///< by polygon; most items of a large world may not be polygons
+  memory::Pages<First> firsts_;  ///< by polygon; in a large world, perhaps only few items are polygons
   memory::Journal<OldFirst> old_firsts_;
   memory::FreeList free_nodes_;  ///< linked by Node::parent
   memory::FreeList free_nodes_before_;
