@@ -43,7 +43,7 @@ class DiscChannel {
   static constexpr std::uint32_t kRight = 2;  ///< a channel has left the face to the right, and had no choice
   /// A channel has entered the face and has continued from there, or the face contains the start.
   static constexpr std::uint32_t kEntered = 4;
-  static constexpr std::uint32_t kAboveGoal = 8;  ///< DeadEnds::for_each_above_goal() visits the face
+  static constexpr std::uint32_t kAboveGoal = 8;  ///< a goal face, or a face on the way from one to the core
   static constexpr std::uint32_t kMarks = 16;
 
   /// A channel that the search is following.

@@ -27,8 +27,9 @@ bool Optimal::is_dominated_by(const Reached& known, const Node& window, mesh::Ha
   return is_sooner && are_in_one_wedge(from_end, known.spoke);
 }
 
-/// Returns whether a turn around the vertex, in one of the two directions, leads from `g` to `h` across edges that the
-/// agent can cross (can_cross()) only. Requires: both are passages and start at a vertex that has walls.
+/// Both half-edges start at one vertex. Returns whether one can go around this vertex from `g` to `h`, in one of the
+/// two directions, and meet only edges that the agent can cross (can_cross()). Requires: both are passages, and the
+/// vertex has walls.
 bool Optimal::are_in_one_wedge(mesh::HalfEdge g, mesh::HalfEdge h) const {
   for (mesh::HalfEdge at = g; can_cross(at); at = mesh_->next_around(at)) {
     if (at == h) return true;
