@@ -18,8 +18,8 @@
 #include "timing.hpp"
 #include "town.hpp"
 
-// Snapshots for readers, among a million vertices: the time of World::publish(), what snapshots cost the updates of the
-// world, and what an update costs the readers.
+// Snapshots for readers, among a million vertices: the time of World::publish() for the present and for earlier ticks,
+// what snapshots cost the updates of the world, and what an update costs the readers.
 
 namespace waywright::bench {
 namespace {
@@ -108,6 +108,37 @@ void time_publish(benchmark::State& state, std::size_t vertices, Holding holding
   state.counters["vertices"] = static_cast<double>(world.vertex_count());
   state.counters["MB_world"] = static_cast<double>(world.memory().total()) * 1e-6;
   state.counters["MB_snapshot"] = static_cast<double>(held->memory().total()) * 1e-6;
+}
+
+/// After every kChanges changes, marks a tick, publishes the present and times the snapshot of an earlier tick. Readers
+/// hold both until the next round.
+void time_publish_tick(benchmark::State& state, std::size_t vertices) {
+  constexpr std::size_t kRounds = 1000;
+  constexpr std::size_t kTicks = 100;
+  constexpr std::uint64_t kEarlier = 8;
+  Town town(vertices);
+  World& world = town.world();
+  world.keep_history(kTicks);
+  TownChanger changer(town, Changes::moves);
+  std::vector<double> times;
+  WorldSnapshot present;
+  WorldSnapshot earlier;
+  for ([[maybe_unused]] const auto iteration : state) {
+    for (std::size_t i = 0; i < kRounds + kTicks; ++i) {
+      const std::uint64_t tick = world.mark();
+      changer.run(i);
+      present = world.publish();
+      if (tick <= kEarlier) continue;
+      const auto start = Clock::now();
+      WorldSnapshot snapshot = world.publish(tick - kEarlier).value();
+      if (i >= kTicks) times.push_back(microseconds_since(start));
+      earlier = std::move(snapshot);
+    }
+  }
+  set_percentiles(state, times);
+  state.counters["vertices"] = static_cast<double>(world.vertex_count());
+  state.counters["MB_world"] = static_cast<double>(world.memory().total()) * 1e-6;
+  state.counters["kB_each_tick"] = static_cast<double>(world.memory().history) * 1e-3 / kTicks;
 }
 
 /// Times moves without snapshots, then while a snapshot is held, then with a new snapshot after every kChanges moves.
@@ -216,6 +247,8 @@ void register_snapshots() {
     add_publish("/same_polygons", Holding::until_next, Changes::same_moves);
     add_publish("/buildings", Holding::none, Changes::buildings);
     add_publish("/buildings_held_until_next", Holding::until_next, Changes::buildings);
+    register_single_run(prefix + "publish_tick" + size,
+                        [=](benchmark::State& state) { time_publish_tick(state, vertices); });
     register_single_run(prefix + "updates_beside_snapshots" + size,
                         [=](benchmark::State& state) { time_updates_beside(state, vertices); });
     register_single_run(prefix + "readers_beside_writer" + size + "/without_pause",

@@ -39,10 +39,22 @@ void close_door(World& world) {
   std::printf("then it %s path, with %zu items\n", is_reachable ? "finds a" : "finds no", snapshot->item_count());
 }
 
+/// A player fired along the line from (10, 95) to (90, 95), and the message arrives at the server one tick later. Then
+/// the door has already opened.
+void judge_shot(World& world) {
+  world.keep_history(8);
+  const std::uint64_t tick_of_shot = world.mark();
+  world.remove(2).value();
+  const WorldSnapshot then = world.publish(tick_of_shot).value();
+  std::printf("the shot %s", then->is_clear({10, 95}, {90, 95}).value() ? "passed" : "hit the door");
+  std::printf(", now it would %s\n", world.is_clear({10, 95}, {90, 95}).value() ? "pass" : "hit the door");
+}
+
 }  // namespace
 
 int main() {
   World world = World::create({{0, 0}, {100, 100}}).value();
   world.insert(Shape::segment({50, 0}, {50, 80}), 1).value();
   close_door(world);
+  judge_shot(world);
 }

@@ -11,6 +11,13 @@ ww_status ww_world_publish(ww_world* world, ww_snapshot** snapshot) {
   return guarded([&] { return make_object(snapshot, changing(world).publish()); });
 }
 
+ww_status ww_world_publish_tick(ww_world* world, uint64_t tick, ww_snapshot** snapshot) {
+  return guarded([&] {
+    Result<WorldSnapshot> published = changing(world).publish(tick);
+    return published ? make_object(snapshot, *std::move(published)) : status_of(published);
+  });
+}
+
 ww_status ww_snapshot_copy(const ww_snapshot* snapshot, ww_snapshot** copy) {
   return guarded([&] { return make_object(copy, WorldSnapshot(object(snapshot))); });
 }

@@ -866,13 +866,19 @@ typedef struct ww_changed_box {
 WW_API ww_status ww_world_changes_since(const ww_world* world, uint64_t since, ww_bool* is_known, ww_changed_box* boxes,
                                         size_t capacity, size_t* count);
 
-/* A snapshot is an immutable world with the state that a world had when ww_world_publish was called. Other threads
-   query it while one thread changes the world, and neither waits for the other. The first snapshot costs as much as
-   ww_world_clone; a later one costs time only for the items that have changed, if the earlier snapshots have been
-   destroyed.
+/* A snapshot is an immutable world with the state that a world had when ww_world_publish was called, or at an earlier
+   tick. Other threads query it while one thread changes the world, and neither waits for the other. The first snapshot
+   costs as much as ww_world_clone; a later one costs time only for the items that have changed, if the earlier
+   snapshots have been destroyed.
    Threads: each handle belongs to one thread at a time; give each thread a handle of its own by ww_snapshot_copy.
    Threads may copy and destroy their handles while another thread calls any function on the world. */
 WW_API ww_status ww_world_publish(ww_world* world, ww_snapshot** snapshot);
+/* Makes a snapshot with the state that the world had at a tick (ww_world_mark), as if ww_world_publish had been called
+   then. The world does not change. So a program can keep many earlier states in the history, which takes memory only
+   for the items that have changed, and can read each of them. The cost depends on the items that have changed since the
+   tick. ww_world_changes_since knows only the boxes that the world still has.
+   Errors: the errors of ww_world_rewind. */
+WW_API ww_status ww_world_publish_tick(ww_world* world, uint64_t tick, ww_snapshot** snapshot);
 /* Makes another handle of the same immutable world. The cost does not depend on the world. */
 WW_API ww_status ww_snapshot_copy(const ww_snapshot* snapshot, ww_snapshot** copy);
 /* Destroys a handle. If it was the last handle of an immutable world, the library frees the memory of this world or

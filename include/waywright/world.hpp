@@ -86,8 +86,7 @@ class WAYWRIGHT_API World {
 
   /// Returns the domain of the world: its closed box.
   [[nodiscard]] const Box& domain() const;
-  /// Returns the options of create(), with the present new_vertex_limit().
-  /// Cost: O(1).
+  /// Returns the options of create(), with the present new_vertex_limit(). Cost: O(1).
   [[nodiscard]] WorldOptions options() const;
 
   /// @}
@@ -258,6 +257,14 @@ class WAYWRIGHT_API World {
   /// replica was last equal to the world, it makes at most one removal and one insertion. If readers hold all replicas,
   /// or if more items have changed than 64 plus a 32nd of all items, it costs as much as clone().
   [[nodiscard]] WorldSnapshot publish();
+  /// Returns an immutable world with the state of this world at a tick (mark()), as if you had called publish() at that
+  /// tick. This world does not change. WorldSnapshot has an example. If memory runs out, nothing changes.
+  /// Requires: no question of attempt() is running on this world.
+  /// Errors: the errors of rewind().
+  /// Cost: the cost of publish(), for the items that have changed since the tick, and those that have changed since the
+  /// replica was last equal to a state of this world. If readers hold all replicas, or if too many items have changed,
+  /// it costs as much as clone() and rewind().
+  [[nodiscard]] Result<WorldSnapshot> publish(std::uint64_t tick);
 
   /// @}
 
@@ -290,14 +297,11 @@ class WAYWRIGHT_API World {
   /// Cost: O(1).
   Result<void> reserve_ids(ItemId last);
 
-  /// Returns whether a live item has this id.
-  /// Cost: O(1).
+  /// Returns whether a live item has this id. Cost: O(1).
   [[nodiscard]] bool contains(ItemId id) const;
-  /// Returns the number of live items.
-  /// Cost: O(1).
+  /// Returns the number of live items. Cost: O(1).
   [[nodiscard]] std::size_t item_count() const;
-  /// Returns the ids of all live items, ascending.
-  /// Cost: O(n log n).
+  /// Returns the ids of all live items, ascending. Cost: O(n log n).
   [[nodiscard]] std::vector<ItemId> item_ids() const;
   /// @copydoc item_ids() const
   void item_ids(std::vector<ItemId>& ids) const;
@@ -504,7 +508,7 @@ class WAYWRIGHT_API World {
 
   /// Returns whether a polyline meets the bounding box of a segment, polyline or polygon that an operation after
   /// version `since` has inserted or removed (ChangedBox). If the result is false and the polyline was clear at that
-  /// version, it is still clear. If the world no longer has all boxes since that version, the result is true.
+  /// version, it is still clear. If changes_since() returns nothing for that version, the result is true.
   /// Cost: a few comparisons for each pair of a box and a point. Allocates nothing.
   [[nodiscard]] bool is_affected(std::span<const Point> points, std::uint64_t since) const;
   /// Returns whether a path is affected by the operations after version `since`. For a point agent, this is
@@ -519,13 +523,12 @@ class WAYWRIGHT_API World {
   void find_affected(std::span<const Path> paths, std::uint64_t since, std::vector<std::size_t>& affected) const;
 
   /// Returns the regions that the operations after version `since` have changed, the oldest first: see ChangedBox.
-  /// Returns nothing if the world no longer has all boxes since that version. The answer is valid until you call a
-  /// member that is not const. PathWatch reads these boxes for many paths at once.
+  /// Returns nothing if the world no longer has all boxes since that version, or if `since` is above version(). The
+  /// answer is valid until you call a member that is not const. PathWatch reads these boxes for many paths at once.
   /// Cost: O(log n) in the boxes that the world keeps. Allocates nothing.
   [[nodiscard]] std::optional<std::span<const ChangedBox>> changes_since(std::uint64_t since) const;
 
-  /// Returns the number of operations that the world has carried out. Each successful operation adds one.
-  /// Cost: O(1).
+  /// Returns the number of operations that the world has carried out. Each successful operation adds one. Cost: O(1).
   [[nodiscard]] std::uint64_t version() const;
 
   /// @}
@@ -541,22 +544,18 @@ class WAYWRIGHT_API World {
   /// Returns the number of triangles of the mesh.
   /// Cost: linear in the vertices on the border of the domain.
   [[nodiscard]] std::size_t triangle_count() const;
-  /// Returns a copy of the mesh in canonical order.
-  /// Cost: O(n log n).
+  /// Returns a copy of the mesh in canonical order. Cost: O(n log n).
   [[nodiscard]] MeshSnapshot snapshot() const;
   /// @copydoc snapshot() const
   void snapshot(QueryContext& context, MeshSnapshot& snapshot) const;
   /// Returns the mesh as canonical text with exact rational coordinates. Worlds with equal domains and equal live items
   /// have equal dumps. Cost: O(n log n), with exact arithmetic.
   [[nodiscard]] std::string dump() const;
-  /// Returns the hash of the domain and the live items. Every operation updates the hash.
-  /// Cost: O(1).
+  /// Returns the hash of the domain and the live items. Every operation updates the hash. Cost: O(1).
   [[nodiscard]] ItemsHash items_hash() const;
-  /// Returns the SHA-256 of the bytes of dump().
-  /// Cost: the cost of dump().
+  /// Returns the SHA-256 of the bytes of dump(). Cost: the cost of dump().
   [[nodiscard]] MeshHash mesh_hash() const;
-  /// Checks the whole world, exactly: see Validation.
-  /// Cost: linear in the mesh, with exact arithmetic throughout.
+  /// Checks the whole world, exactly: see Validation. Cost: linear in the mesh, with exact arithmetic throughout.
   [[nodiscard]] Validation validate() const;
 
   /// @}

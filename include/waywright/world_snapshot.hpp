@@ -21,8 +21,8 @@ inline constexpr char kEmptySnapshot[] =
 }  // namespace detail
 
 /// A handle of a *snapshot*. A snapshot is an immutable world: the state that a World had when its World::publish() was
-/// called. Readers on other threads query it while one thread changes the world. The readers and this thread never wait
-/// for each other.
+/// called, or at an earlier tick (World::mark()). Readers on other threads query it while one thread changes the world.
+/// The readers and this thread never wait for each other.
 ///
 /// @code{.cpp}
 /// WorldSnapshot snapshot = world.publish();  // give each reader a handle of its own: copy `snapshot`
@@ -32,9 +32,20 @@ inline constexpr char kEmptySnapshot[] =
 /// snapshot.release();
 /// @endcode
 ///
+/// To keep many earlier states, do not hold their snapshots: mark ticks, and publish a tick when a reader wants to read
+/// it. The history of the world takes memory only for the items that have changed.
+///
+/// @code{.cpp}
+/// world.keep_history(600);
+/// const std::uint64_t tick = world.mark();
+/// world.insert(house).value();
+/// const std::size_t earlier = world.publish(tick).value()->item_count();  // == world.item_count() - 1
+/// @endcode
+///
 /// Several handles may share one immutable world, which you reach with `->` and `*`. All const members of World work,
 /// without a context or with one. They give the same answers as the world gave, also version(), is_affected() and
-/// changes_since(). Only memory() and Path::time can differ. So a PathWatch can read one snapshot after the other: each
+/// changes_since(). Only memory() and Path::time can differ. In the snapshot of a tick, changes_since() knows only the
+/// boxes that the world still had when the tick was published. A PathWatch can read one snapshot after the other: each
 /// of them counts as the world for which the watch was made. The immutable world has no history. To get a world that
 /// you can change, call its World::clone().
 ///

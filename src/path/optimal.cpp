@@ -382,8 +382,8 @@ std::uint32_t Optimal::add_root(mesh::Vertex v, std::uint32_t before) {
   const Point& at = position_of(v);
   const Root& last = roots_[before];
   const Root& middle = roots_[last.jump];
-  // Each root stores one jump to an earlier root. If the two jumps before the new root are equally long, its jump is as
-  // long as both together. So a walk back along n roots takes about log n steps.
+  // Each root stores one jump to an earlier root. If the jump of the last root and the next jump from there are equally
+  // long, the new root jumps to the end of the second one. So a walk back along n roots takes about log n steps.
   const bool joins = last.depth - middle.depth == middle.depth - roots_[middle.jump].depth;
   const std::uint32_t jump = joins ? middle.jump : before;
   roots_.push_back({at, v, before, last.length + distance(last.point, at), last.depth + 1, jump});

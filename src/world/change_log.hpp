@@ -54,29 +54,24 @@ class ChangeLog {
   void reserve_to_follow(const ChangeLog& other) {
     if (entries_.capacity() < other.entries_.size()) entries_.reserve(other.entries_.capacity());
   }
-  /// Makes the log equal to `other`. Allocates nothing. Requires: reserve_to_follow() was called, and the logs were
-  /// equal when the world of `other` had the version `since`.
-  void follow(const ChangeLog& other, std::uint64_t since) {
-    const std::span<const ChangedBox> added = other.after(since);
-    const std::size_t common = other.entries_.size() - added.size();
-    entries_.erase(entries_.begin(), entries_.end() - static_cast<std::ptrdiff_t>(common));
-    entries_.insert(entries_.end(), added.begin(), added.end());
-    complete_since_ = other.complete_since_;
+  /// Makes the log equal to what `other` has of the operations up to version `until`. Allocates nothing. Requires:
+  /// reserve_to_follow() was called, and the logs were equal when the world of `other` had the version `since`.
+  void follow(const ChangeLog& other, std::uint64_t since, std::uint64_t until) {
+    const auto end_of = [](const std::vector<ChangedBox>& entries, std::uint64_t version) {
+      return static_cast<std::ptrdiff_t>(index_after(entries, version));
+    };
+    const std::ptrdiff_t common = end_of(other.entries_, std::min(since, until));
+    entries_.erase(entries_.begin() + end_of(entries_, until), entries_.end());
+    entries_.erase(entries_.begin(), entries_.end() - common);
+    entries_.insert(entries_.end(), other.entries_.begin() + common,
+                    other.entries_.begin() + std::max(common, end_of(other.entries_, until)));
+    complete_since_ = std::min(other.complete_since_, until);
   }
 
-  /// Returns the boxes of the operations after version `since`, or nothing if the log no longer has all of them.
+  /// Returns the boxes of the operations after version `since`, or nothing if the log does not have all of them.
   [[nodiscard]] std::optional<std::span<const ChangedBox>> since(std::uint64_t since) const {
     if (since < complete_since_) return std::nullopt;
-    return after(since);
-  }
-
-  /// Returns whether `concerns(box)` is true for the box of an item that was inserted or removed after version `since`
-  /// of the world. Also returns true if the log no longer has all boxes since that version.
-  template <class Concerns>
-  [[nodiscard]] bool has_box(std::uint64_t since, const Concerns& concerns) const {
-    const auto boxes = this->since(since);
-    return !boxes ||
-           std::any_of(boxes->begin(), boxes->end(), [&](const ChangedBox& entry) { return concerns(entry.box); });
+    return std::span<const ChangedBox>(entries_).subspan(index_after(entries_, since));
   }
 
   void count_memory(MemoryUse& use) const { memory::count_spare(use, entries_, boxes_); }
@@ -92,11 +87,11 @@ class ChangeLog {
   static constexpr std::size_t kBoxesOfOperation = 256;
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-  /// Returns the boxes that the log has of the operations after version `since`.
-  [[nodiscard]] std::span<const ChangedBox> after(std::uint64_t since) const {
-    const auto is_later = [](std::uint64_t version, const ChangedBox& entry) { return version < entry.version; };
-    const auto first = std::upper_bound(entries_.begin(), entries_.end(), since, is_later);
-    return std::span<const ChangedBox>(entries_).subspan(static_cast<std::size_t>(first - entries_.begin()));
+  /// Returns the index of the first entry of an operation after this version.
+  [[nodiscard]] static std::size_t index_after(const std::vector<ChangedBox>& entries, std::uint64_t version) {
+    const auto is_later = [](std::uint64_t at, const ChangedBox& entry) { return at < entry.version; };
+    return static_cast<std::size_t>(std::upper_bound(entries.begin(), entries.end(), version, is_later) -
+                                    entries.begin());
   }
 
   ChangedBox& add_item() {

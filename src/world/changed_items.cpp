@@ -6,6 +6,13 @@ namespace waywright {
 
 void ChangedItems::forget_until(std::uint64_t version) { complete_since_ = std::max(complete_since_, version); }
 
+void ChangedItems::extend_to(std::uint64_t version, std::span<const ItemId> ids) {
+  drop_forgotten();
+  entries_.insert(entries_.begin(), ids.size(), {complete_since_, {}});
+  for (std::size_t i = 0; i < ids.size(); ++i) entries_[i].id = ids[i];
+  complete_since_ = version;
+}
+
 void ChangedItems::since(std::uint64_t version, std::vector<ItemId>& ids) {
   const auto after = [](std::uint64_t since, const Entry& entry) { return since < entry.version; };
   found_.assign(std::upper_bound(entries_.begin(), entries_.end(), version, after), entries_.end());
@@ -25,15 +32,16 @@ void ChangedItems::keep_last(std::vector<Entry>& entries) {
   });
 }
 
+void ChangedItems::drop_forgotten() {
+  std::erase_if(entries_, [&](const Entry& entry) { return entry.version <= complete_since_; });
+}
+
 void ChangedItems::make_room(std::uint64_t version) {
-  const auto drop = [&] {
-    std::erase_if(entries_, [&](const Entry& entry) { return entry.version <= complete_since_; });
-  };
-  drop();
+  drop_forgotten();
   keep_last(entries_);
   if (entries_.size() > limit_) {
     complete_since_ = entries_[entries_.size() / 2].version;
-    drop();
+    drop_forgotten();
   }
   if (complete_since_ >= version) return;
   if (2 * entries_.size() >= entries_.capacity()) entries_.reserve(std::max(kSmallest, 2 * entries_.capacity()));

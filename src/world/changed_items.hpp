@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "waywright/id.hpp"
@@ -22,6 +23,10 @@ class ChangedItems {
   void set_limit(std::size_t limit) { limit_ = limit; }
   /// Lets the record drop the changes up to `version`. Does nothing if it has dropped them already.
   void forget_until(std::uint64_t version);
+
+  /// Makes the record reach back to `version`: adds `ids` as the items that have changed between this version and the
+  /// oldest change of the record. Requires: the record lacks changes after `version`.
+  void extend_to(std::uint64_t version, std::span<const ItemId> ids);
 
   /// Records an item that an operation inserts or removes. `version` is the version of the world after this operation.
   /// Cost: amortised O(log n) in the items of the record.
@@ -46,6 +51,8 @@ class ChangedItems {
     ItemId id;
   };
 
+  /// Removes the changes up to the version `complete_since_`.
+  void drop_forgotten();
   /// Keeps the last entry of each item only, and sorts by version and id.
   static void keep_last(std::vector<Entry>& entries);
   /// Keeps the last entry of each item only. If there are still too many, drops the oldest. `version` is the version

@@ -16,9 +16,9 @@ void History::keep(std::size_t ticks) {
   shrink_to_fit();
 }
 
-History::Tick History::mark(ItemId largest_id) {
+History::Tick History::mark(std::uint64_t version, ItemId largest_id) {
   drop_uncommitted();
-  marks_.push_back({entries_.end(), largest_id});
+  marks_.push_back({entries_.end(), version, largest_id});
   drop_oldest();
   return marks_.end();
 }
@@ -84,6 +84,8 @@ std::optional<Error> History::find_error(Tick tick) const {
   }
   return std::nullopt;
 }
+
+std::uint64_t History::version(Tick tick) const { return marks_[tick - 1].version; }
 
 ItemId History::largest_id(Tick tick) const { return marks_[tick - 1].largest_id; }
 

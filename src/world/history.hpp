@@ -30,9 +30,10 @@ class History {
   /// Whether the world keeps a history.
   [[nodiscard]] bool is_kept() const { return limit_ != 0; }
 
-  /// Marks the current state of the world as the next tick and returns the tick. `largest_id` is the largest id that
-  /// the world has seen. If there are too many ticks now, drops the oldest. Requires: is_kept().
-  Tick mark(ItemId largest_id);
+  /// Marks the current state of the world as the next tick and returns the tick. `version` is the version of the world,
+  /// and `largest_id` is the largest id that it has seen. If there are too many ticks now, drops the oldest. Requires:
+  /// is_kept().
+  Tick mark(std::uint64_t version, ItemId largest_id);
 
   void begin();
   /// Records that the operation inserts an item.
@@ -54,8 +55,10 @@ class History {
 
   /// Returns the error of a rewind to this tick, or nothing.
   [[nodiscard]] std::optional<Error> find_error(Tick tick) const;
-  /// Returns the largest id that the world had seen at a tick. Requires: find_error(tick) is nothing. The next two
-  /// functions require this, too.
+  /// Returns the version of the world at a tick. Requires: find_error(tick) is nothing. The next three functions
+  /// require this, too.
+  [[nodiscard]] std::uint64_t version(Tick tick) const;
+  /// Returns the largest id that the world had seen at a tick.
   [[nodiscard]] ItemId largest_id(Tick tick) const;
   /// Returns each item that has changed since the tick, once, ascending by id. Cost: n log n in the changes.
   [[nodiscard]] std::vector<ChangedItem> changed_since(Tick tick);
@@ -85,6 +88,7 @@ class History {
   };
   struct Mark {
     std::uint64_t first_entry;  ///< the first change after this tick
+    std::uint64_t version;
     ItemId largest_id;
   };
   /// The ends of the three arrays.

@@ -2,6 +2,8 @@
 #include <array>
 #include <chrono>
 #include <limits>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "waywright/world.hpp"
@@ -22,6 +24,14 @@ namespace waywright {
 namespace {
 
 constexpr std::size_t kToTheEnd = std::numeric_limits<std::size_t>::max();
+
+/// Returns whether `concerns(box)` is true for one of the boxes. `boxes` is an answer of World::changes_since(). Also
+/// returns true if it is empty.
+template <class Concerns>
+bool has_box(const std::optional<std::span<const ChangedBox>>& boxes, const Concerns& concerns) {
+  return !boxes ||
+         std::any_of(boxes->begin(), boxes->end(), [&](const ChangedBox& entry) { return concerns(entry.box); });
+}
 
 bool meets(std::span<const Point> points, const Box& box) {
   const constraint::BoxTest test(box);
@@ -141,20 +151,20 @@ Result<bool> World::is_clear(const Point& from, const Point& to) const {
 
 bool World::is_affected(std::span<const Point> points, std::uint64_t since) const {
   const base::FloatEnvironment environment;
-  return !points.empty() && impl_->change_log.has_box(since, [&](const Box& box) { return meets(points, box); });
+  return !points.empty() && has_box(changes_since(since), [&](const Box& box) { return meets(points, box); });
 }
 
 bool World::is_affected(const Path& path, std::uint64_t since) const {
   const base::FloatEnvironment environment;
   if (path.status == PathStatus::found && path.points.empty() && path.pieces.empty()) {
-    return impl_->change_log.has_box(since, [](const Box&) { return true; });
+    return has_box(changes_since(since), [](const Box&) { return true; });
   }
   if (path.pieces.empty()) return is_affected(path.points, since);
-  return impl_->change_log.has_box(since,
-                                   [&](const Box& box) { return path::may_touch(path.pieces, path.radius, box); });
+  return has_box(changes_since(since), [&](const Box& box) { return path::may_touch(path.pieces, path.radius, box); });
 }
 
 std::optional<std::span<const ChangedBox>> World::changes_since(std::uint64_t since) const {
+  if (since > version()) return std::nullopt;
   return impl_->change_log.since(since);
 }
 

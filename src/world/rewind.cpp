@@ -88,7 +88,7 @@ void World::keep_history(std::size_t ticks) {
 std::uint64_t World::mark() {
   WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   WAYWRIGHT_ASSERT(impl_->history.is_kept(), kNoHistory);
-  return impl_->history.mark(impl_->triangulation.items().largest_id_seen());
+  return impl_->history.mark(version(), impl_->triangulation.items().largest_id_seen());
 }
 
 Result<void> World::rewind(std::uint64_t tick) {

@@ -44,12 +44,47 @@ SnapshotPool::~SnapshotPool() {
   for (Replica* const replica : replicas_) replica->release();
 }
 
-Replica* SnapshotPool::find_free() {
-  const auto found = std::find_if(replicas_.rbegin(), replicas_.rend(),
-                                  [&](const Replica* replica) { return replica->is_free() && can_follow(*replica); });
-  if (found == replicas_.rend()) return nullptr;
-  changed_.since((*found)->world.version(), ids_);
-  return ids_.size() <= limit_ ? *found : nullptr;
+Replica* SnapshotPool::add_handle_of(const ReplicaState& state) const {
+  for (Replica* const replica : replicas_) {
+    const World& world = replica->world;
+    const bool is_equal = world.version() == state.version && world.largest_id_seen() == state.largest_id &&
+                          world.new_vertex_limit() == state.new_vertex_limit;
+    if (is_equal && replica->add_handle_if_any()) return replica;
+  }
+  return nullptr;
+}
+
+// Afterwards the record may reach farther back than the versions of some replicas, but lack changes of these replicas:
+// changes that a rewind has taken back.
+void SnapshotPool::extend_record(const ReplicaState& state) {
+  if (changed_.has_all_since(state.version)) return;
+  for (Replica* const replica : replicas_) {
+    if (!can_follow(*replica)) replica->note_too_old();
+  }
+  changed_.extend_to(state.version, state.changed);
+}
+
+// If an item differs between the replica and a tick, it has changed since the tick (ReplicaState::changed), or it is
+// now as it was at the tick. In the second case it has changed since the version of the replica.
+Replica* SnapshotPool::find_free(const ReplicaState& state) {
+  extend_record(state);
+  const auto distance = [&](const Replica* replica) {
+    const std::uint64_t version = replica->world.version();
+    return std::max(version, state.version) - std::min(version, state.version);
+  };
+  Replica* nearest = nullptr;
+  for (Replica* const replica : replicas_) {
+    if (!replica->is_free() || !can_follow(*replica)) continue;
+    if (nearest == nullptr || distance(replica) < distance(nearest)) nearest = replica;
+  }
+  if (nearest == nullptr) return nullptr;
+  changed_.since(nearest->world.version(), ids_);
+  if (!state.changed.empty()) {
+    ids_.insert(ids_.end(), state.changed.begin(), state.changed.end());
+    std::sort(ids_.begin(), ids_.end());
+    ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
+  }
+  return ids_.size() <= limit_ ? nearest : nullptr;
 }
 
 void SnapshotPool::drop(Replica* replica) {
@@ -70,7 +105,16 @@ void SnapshotPool::hand_out(Replica* replica) {
   replicas_.push_back(replica);
   limit_ = kFewChanges + replica->world.item_count() / kItemsForEachChange;
   changed_.set_limit(limit_);
-  changed_.forget_until(replicas_.front()->world.version());
+  changed_.forget_until((*find_oldest(false))->world.version());
+}
+
+SnapshotPool::Replicas::iterator SnapshotPool::find_oldest(bool is_free) {
+  auto oldest = replicas_.end();
+  for (auto i = replicas_.begin(); i != replicas_.end(); ++i) {
+    if (is_free && !(*i)->is_free()) continue;
+    if (oldest == replicas_.end() || (*i)->world.version() < (*oldest)->world.version()) oldest = i;
+  }
+  return oldest;
 }
 
 void SnapshotPool::release_too_old() {
@@ -80,13 +124,14 @@ void SnapshotPool::release_too_old() {
     return !is_kept;
   });
   if (replicas_.size() < kMost) return;
-  replicas_.front()->release();
-  replicas_.erase(replicas_.begin());
+  const auto oldest = find_oldest(false);
+  (*oldest)->release();
+  replicas_.erase(oldest);
 }
 
 Replica* SnapshotPool::take_unneeded() {
   const auto is_free = [](const Replica* replica) { return replica->is_free(); };
-  const auto oldest = std::find_if(replicas_.begin(), replicas_.end(), is_free);
+  const auto oldest = find_oldest(true);
   if (oldest == replicas_.end()) return nullptr;
   const auto free_count = static_cast<std::size_t>(std::count_if(replicas_.begin(), replicas_.end(), is_free));
   if (free_count <= kMostFree && can_follow(**oldest)) return nullptr;

@@ -12,6 +12,7 @@
 #include "waywright/world.hpp"
 
 #include "world/changed_items.hpp"
+#include "world/items_at_tick.hpp"
 #include "world/replica_prefetch.hpp"
 
 namespace waywright {
@@ -47,6 +48,9 @@ class Replica {
   /// Makes remove_handle() of the last handle of this replica call release() on `replica`, too. Requires: this replica
   /// has no handle yet.
   void release_with_last_handle(Replica* replica) { released_with_last_handle_ = replica; }
+  /// Whether the pool has forgotten changes that this replica has not repeated. Then it cannot follow the world.
+  [[nodiscard]] bool is_too_old() const { return is_too_old_; }
+  void note_too_old() { is_too_old_ = true; }
 
   World world;
 
@@ -56,9 +60,19 @@ class Replica {
   std::atomic<std::size_t> handles_ = 0;
   std::atomic<std::uint32_t> owners_ = 1;
   Replica* released_with_last_handle_ = nullptr;
+  bool is_too_old_ = false;
 };
 
 }  // namespace detail
+
+/// A state of a world that a replica can get: the present one, or that of a tick.
+struct ReplicaState {
+  ItemsAtTick items;
+  std::uint64_t version;
+  ItemId largest_id;             ///< the largest id that the world had seen
+  std::size_t new_vertex_limit;  ///< of the world now
+  std::vector<ItemId> changed;   ///< the items that have changed between this state and the present one, ascending
+};
 
 /// The scratch of World::Impl::follow(): the shapes of one item in the world and in the replica, and the memory of
 /// ReplicaPrefetch.
@@ -85,12 +99,13 @@ class SnapshotPool {
   /// Records an item that an operation inserts or removes. `version` is the version of the world after the operation.
   void note_changed(ItemId id, std::uint64_t version) { changed_.add(id, version); }
 
-  /// Returns the newest replica, or null.
-  [[nodiscard]] detail::Replica* newest() const { return replicas_.empty() ? nullptr : replicas_.back(); }
-  /// Returns the newest free replica that can follow the world. Returns null if there is none, or if a copy of the
-  /// world would cost less.
-  [[nodiscard]] detail::Replica* find_free();
-  /// Returns the items that may have changed since the version of the replica that find_free() has returned.
+  /// If a replica with readers has this state, adds a handle to it and returns it. Otherwise returns null.
+  [[nodiscard]] detail::Replica* add_handle_of(const ReplicaState& state) const;
+  /// Returns a free replica that can follow the world to this state, or null if there is none, or if a copy of the
+  /// world would cost less. Among several such replicas, takes the one with the nearest version.
+  [[nodiscard]] detail::Replica* find_free(const ReplicaState& state);
+  /// Returns the items in which the replica that find_free() has returned may differ from the state. No item occurs
+  /// twice.
   [[nodiscard]] const std::vector<ItemId>& changed() const { return ids_; }
   [[nodiscard]] ReplicaScratch& scratch() { return scratch_; }
 
@@ -116,16 +131,22 @@ class SnapshotPool {
   /// See kFewChanges.
   static constexpr std::size_t kItemsForEachChange = 32;
 
+  using Replicas = std::vector<detail::Replica*>;
+
+  /// Extends the record of changes, so that a replica of this state can follow the world later.
+  void extend_record(const ReplicaState& state);
+  /// Returns the oldest replica, or the oldest free one. Returns the end of the list if there is none.
+  [[nodiscard]] Replicas::iterator find_oldest(bool is_free);
   /// Removes from the pool each replica that readers hold and that cannot follow the world any more. Then removes the
   /// oldest replica if the pool has kMost. Requires: the replica for hand_out() is not in the pool.
   void release_too_old();
   /// Takes one free replica that the pool does not need out of the pool and returns it, or returns null.
   [[nodiscard]] detail::Replica* take_unneeded();
   [[nodiscard]] bool can_follow(const detail::Replica& replica) const {
-    return changed_.has_all_since(replica.world.version());
+    return !replica.is_too_old() && changed_.has_all_since(replica.world.version());
   }
 
-  std::vector<detail::Replica*> replicas_;  ///< ascending by version
+  Replicas replicas_;  ///< in no order
   ChangedItems changed_;
   std::size_t limit_ = kFewChanges;  ///< if more items have changed, find_free() returns null
   std::vector<ItemId> ids_;          ///< the answer of changed()

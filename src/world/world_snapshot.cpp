@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "waywright/world.hpp"
 
@@ -31,12 +33,11 @@ WAYWRIGHT_NO_INLINE void commit(Operation& operation) {
 
 }  // namespace
 
-bool World::Impl::follow_item(const Impl& other, ItemId id, ReplicaScratch& scratch) {
+bool World::Impl::follow_item(const ReplicaState& state, ItemId id, ReplicaScratch& scratch) {
   const bool is_here = triangulation.items().contains(id);
-  const bool is_there = other.triangulation.items().contains(id);
+  const bool is_there = state.items.find(id, scratch.in_world);
   if (!is_here && !is_there) return true;
   if (is_here) fill_shape(triangulation, id, scratch.in_replica);
-  if (is_there) fill_shape(other.triangulation, id, scratch.in_world);
   if (is_here && is_there && scratch.in_replica == scratch.in_world) return true;
   Operation operation(*this, Operation::Kind::follow);
   if (is_here) operation.remove(id);
@@ -45,9 +46,15 @@ bool World::Impl::follow_item(const Impl& other, ItemId id, ReplicaScratch& scra
   return true;
 }
 
+void World::Impl::set_version(const Impl& other, std::uint64_t version) {
+  change_log.follow(other.change_log, this->version(), version);
+  touch_log->restart(version);
+}
+
 // One operation for each item: it removes the old shape and inserts the new one while the memory of this place is in
 // the cache. One operation for all items takes 5 to 10 % longer if they are far from each other.
-bool World::Impl::follow(const Impl& other, std::span<const ItemId> changed, ReplicaScratch& scratch) {
+bool World::Impl::follow(const Impl& other, const ReplicaState& state, std::span<const ItemId> changed,
+                         ReplicaScratch& scratch) {
   change_log.reserve_to_follow(other.change_log);
   if (touch_log.use_count() > 1) {
     // A search in an earlier snapshot refers to the log.
@@ -55,40 +62,66 @@ bool World::Impl::follow(const Impl& other, std::span<const ItemId> changed, Rep
     touch_log->note_world_gone();
     touch_log = std::move(fresh);
   }
+  // If memory runs out between two items, this replica has the version of the earlier one of the two states. The record
+  // of the pool then has all items in which it may differ from other states.
+  if (state.version < version()) set_version(other, state.version);
   for (std::size_t i = 0; i < changed.size(); ++i) {
     if (i % ReplicaPrefetch::kItems == 0) {
       const std::size_t count = std::min(changed.size() - i, ReplicaPrefetch::kItems);
       scratch.prefetch.run(triangulation, other.triangulation, kept_abstraction(), changed.subspan(i, count));
     }
-    if (!follow_item(other, changed[i], scratch)) return false;
+    if (!follow_item(state, changed[i], scratch)) return false;
   }
   // Nothing can fail from here on.
-  change_log.follow(other.change_log, version());
-  touch_log->restart(other.version());
-  triangulation.set_largest_id_seen(other.triangulation.items().largest_id_seen());
+  set_version(other, state.version);
+  triangulation.set_largest_id_seen(state.largest_id);
   limits = other.limits;
   return true;
+}
+
+detail::Replica* World::Impl::publish(const ReplicaState& state, std::optional<History::Tick> tick) {
+  if (!snapshots) snapshots = std::make_unique<SnapshotPool>(version());
+  if (detail::Replica* const same = snapshots->add_handle_of(state)) return same;
+  detail::Replica* replica = snapshots->find_free(state);
+  if (replica != nullptr && !replica->world.impl_->follow(*this, state, snapshots->changed(), snapshots->scratch())) {
+    snapshots->drop(replica);
+    replica = nullptr;
+  }
+  if (replica == nullptr) {
+    auto copy = std::make_unique<Impl>(*this, tick ? history : History());
+    if (tick) {
+      copy->rewind(*tick);
+      copy->history = History();
+      copy->change_log = change_log;
+      copy->set_version(*this, state.version);
+    }
+    replica = snapshots->add(World(std::move(copy)));
+  }
+  snapshots->hand_out(replica);
+  replica->add_first_handle();
+  return replica;
 }
 
 WorldSnapshot World::publish() {
   WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
-  if (!impl_->snapshots) impl_->snapshots = std::make_unique<SnapshotPool>(version());
-  SnapshotPool& pool = *impl_->snapshots;
-  detail::Replica* replica = pool.newest();
-  const bool is_same = replica != nullptr && replica->world.version() == version() &&
-                       replica->world.largest_id_seen() == largest_id_seen() &&
-                       replica->world.new_vertex_limit() == new_vertex_limit();
-  if (is_same && replica->add_handle_if_any()) return WorldSnapshot(replica);
-  replica = pool.find_free();
-  if (replica != nullptr && !replica->world.impl_->follow(*impl_, pool.changed(), pool.scratch())) {
-    pool.drop(replica);
-    replica = nullptr;
-  }
-  if (replica == nullptr) replica = pool.add(World(std::make_unique<Impl>(*impl_, History())));
-  pool.hand_out(replica);
-  replica->add_first_handle();
-  return WorldSnapshot(replica);
+  const ReplicaState now{ItemsAtTick(impl_->triangulation), version(), largest_id_seen(), new_vertex_limit(), {}};
+  return WorldSnapshot(impl_->publish(now, std::nullopt));
+}
+
+Result<WorldSnapshot> World::publish(std::uint64_t tick) {
+  WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
+  const base::FloatEnvironment environment;
+  History& history = impl_->history;
+  if (auto error = history.find_error(tick)) return *std::move(error);
+  const std::vector<History::ChangedItem> items = history.changed_since(tick);
+  ReplicaState state{ItemsAtTick(impl_->triangulation, history, items),
+                     history.version(tick),
+                     history.largest_id(tick),
+                     new_vertex_limit(),
+                     {}};
+  for (const History::ChangedItem& item : items) state.changed.push_back(item.id);
+  return WorldSnapshot(impl_->publish(state, tick));
 }
 
 WorldSnapshot::WorldSnapshot(const WorldSnapshot& other) noexcept : replica_(other.replica_) {

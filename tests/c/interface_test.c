@@ -419,6 +419,7 @@ int main(void) {
   test_changed_regions();
   test_path_watch();
   test_snapshots();
+  test_snapshots_of_ticks();
   test_saving();
   test_replaying();
   test_snippets();

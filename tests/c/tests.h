@@ -16,6 +16,7 @@ void test_disconnecting(void);
 void test_changed_regions(void);
 void test_path_watch(void);
 void test_snapshots(void);
+void test_snapshots_of_ticks(void);
 void test_saving(void);
 void test_replaying(void);
 void test_snippets(void);

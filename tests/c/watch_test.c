@@ -149,3 +149,31 @@ void test_snapshots(void) {
   ww_snapshot_destroy(copy);
   ww_snapshot_destroy(NULL);
 }
+
+/* The snapshot of a tick has the items of the tick, and the world keeps its own. */
+void test_snapshots_of_ticks(void) {
+  ww_world* world = make_town(0);
+  ww_snapshot* snapshot = NULL;
+  const ww_world* then = NULL;
+  ww_items_hash before, after;
+  uint64_t tick = 0;
+  ww_bool is_there = 0;
+  CHECK_STATUS(ww_world_publish_tick(world, 1, &snapshot), WW_NO_HISTORY);
+  CHECK_OK(ww_world_keep_history(world, 3));
+  CHECK_OK(ww_world_mark(world, &tick));
+  CHECK_OK(ww_world_items_hash(world, &before));
+  CHECK_OK(ww_world_insert_segment(world, at(5, 9), at(7, 8), 2, NULL));
+  CHECK_OK(ww_world_publish_tick(world, tick, &snapshot));
+  CHECK_OK(ww_snapshot_world(snapshot, &then));
+  CHECK_OK(ww_world_items_hash(then, &after));
+  CHECK(memcmp(&before, &after, sizeof before) == 0);
+  CHECK_OK(ww_world_contains(world, 2, &is_there));
+  CHECK(is_there);
+  ww_snapshot_destroy(snapshot);
+  snapshot = NULL;
+  CHECK_STATUS(ww_world_publish_tick(world, tick + 1, &snapshot), WW_UNKNOWN_TICK);
+  CHECK(snapshot == NULL);
+  CHECK_STATUS(ww_world_publish_tick(world, tick, NULL), WW_INVALID_ARGUMENT);
+  CHECK_STATUS(ww_world_publish_tick(NULL, tick, &snapshot), WW_INVALID_ARGUMENT);
+  ww_world_destroy(world);
+}

@@ -209,6 +209,10 @@ inline std::string fault_of_operations(std::string_view bytes) {
     if (fault.empty()) fault = fault_of_step(*world, counted, live, script.steps[i]);
     if (i % 2 == 0) {
       held.push_back({world->publish(), world->dump()});
+      const FuzzedTick& tick = ticks[i * 7 % ticks.size()];
+      Result<WorldSnapshot> past = world->publish(tick.tick);
+      if (!past) return "publish of a tick: " + past.error().message();
+      held.push_back({*std::move(past), tick.dump});
       if (fault.empty() && held.size() > 2) fault = held[held.size() - 3].fault();
       // The readers release most snapshots after four further steps, and hold the others until the end.
       if (held.size() > 2 && i % 8 != 0) held.erase(held.end() - 3);

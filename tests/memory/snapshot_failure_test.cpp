@@ -74,6 +74,53 @@ TEST_P(SnapshotFailure, OfACopyChangesNothing) { check_failures(random_scene(Get
 
 TEST_P(SnapshotFailure, OfAReusedCopyCanBeRepeated) { check_failures(random_scene(GetParam(), 2, 14), false); }
 
+/// Fails each allocation of a call that publishes a tick. If `is_held`, the call makes a copy. Otherwise it uses again
+/// a replica of the present or, if `is_late`, one that is older than the tick.
+void check_failures_of_a_tick(const Scene& scene, bool is_held, bool is_late) {
+  std::size_t failures = 0;
+  for (std::size_t n = 1;; ++n, ++failures) {
+    World world = first_half(scene);
+    world.keep_history(2);
+    WorldSnapshot first;
+    if (is_late) first = world.publish();
+    world.insert(scene.items.back().shape).value();
+    const std::uint64_t tick = world.mark();
+    const World then = world.clone();
+    change(world, scene);
+    if (!is_late) first = world.publish();
+    const std::string first_dump = first->dump();
+    if (!is_held) first.release();
+    const std::string dump = world.dump();
+    WorldSnapshot past;
+    const bool is_through = gets_through(n, [&] { past = world.publish(tick).value(); });
+    ASSERT_EQ(static_cast<bool>(past), is_through);
+    ASSERT_EQ(world.dump(), dump);
+    if (is_held) {
+      ASSERT_EQ(first->dump(), first_dump);
+    }
+    if (n % 2 == 0) {
+      ASSERT_NO_FATAL_FAILURE(expect_equal(*world.publish(), world, n));
+    }
+    past = world.publish(tick).value();
+    ASSERT_NO_FATAL_FAILURE(expect_equal(*past, then, n));
+    ASSERT_NO_FATAL_FAILURE(expect_equal(*world.publish(), world, n));
+    if (is_through) break;
+  }
+  EXPECT_GT(failures, 5U);
+}
+
+TEST_P(SnapshotFailure, OfATickThatNeedsACopyChangesNothing) {
+  check_failures_of_a_tick(random_scene(GetParam(), 4, 14), true, false);
+}
+
+TEST_P(SnapshotFailure, OfATickCanBeRepeatedInAReplicaOfThePresent) {
+  check_failures_of_a_tick(random_scene(GetParam(), 5, 14), false, false);
+}
+
+TEST_P(SnapshotFailure, OfATickCanBeRepeatedInAnOlderReplica) {
+  check_failures_of_a_tick(random_scene(GetParam(), 6, 14), false, true);
+}
+
 // The record of changed items grows inside operations.
 TEST_P(SnapshotFailure, OfAnOperationThatIsRecordedChangesNothing) {
   const Scene scene = random_scene(GetParam(), 3, 14);

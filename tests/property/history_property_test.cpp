@@ -23,6 +23,7 @@ TEST(HistoryProperty, AgreesWithAModelThatKeepsTheItemsOfEachTick) {
   EXPECT_GT(all.refusals, 0U);
   EXPECT_GT(all.rewinds, all.steps / 40);
   EXPECT_GT(all.attempts, all.steps / 40);
+  EXPECT_GT(all.snapshots_of_ticks, all.steps / 40);
   EXPECT_GT(all.comparisons, all.steps / 40);
   EXPECT_GT(all.clones, 0U);
   EXPECT_GT(all.saves, 0U);

@@ -173,6 +173,23 @@ def test_a_progress_function_may_release_the_snapshot(world):
         assert other.find_paths(STARTS, GOALS).to_bytes() != expected
 
 
+def test_a_tick_can_be_published(world):
+    with pytest.raises(waywright.TickError, match="history"):
+        world.publish(1)
+    world.keep_history(2)
+    tick = world.mark()
+    dump, version = world.dump(), world.version
+    world.insert_segment((10, 10), (20, 20))
+    with world.publish(tick) as past, world.publish(tick=None) as present:
+        assert (past.dump(), past.version) == (dump, version)
+        assert present.dump() == world.dump() != dump
+    with pytest.raises(waywright.TickError):
+        world.publish(tick + 1)
+    with pytest.raises(TypeError):
+        world.publish("1")
+    assert world.publish(tick).clone().dump() == dump
+
+
 def test_an_attempt_makes_no_snapshot(world):
     with pytest.raises(RuntimeError):
         world.attempt([Change.remove(1)], lambda changed: changed.publish())

@@ -88,6 +88,14 @@ struct Numbers {
   friend bool operator==(const Numbers&, const Numbers&) = default;
 };
 
+/// What a snapshot of a tick must have.
+struct Tick {
+  Model model;
+  Numbers numbers;
+  Answers answers;
+  std::uint64_t seed;
+};
+
 struct Held {
   WorldSnapshot snapshot;
   Model model;
@@ -127,7 +135,8 @@ class RandomHistory {
     if (dice < 58) return mark();
     if (dice < 66) return rewind();
     if (dice < 74) return attempt(random_.chance(50) ? random_step() : script_.steps[next_ % script_.steps.size()]);
-    if (dice < 84) return publish();
+    if (dice < 79) return publish();
+    if (dice < 84) return publish_tick();
     if (dice < 92) return compare_and_release();
     if (dice < 94) return clone();
     if (dice < 96) return save_and_load();
@@ -168,24 +177,37 @@ class RandomHistory {
     require(world_.mark() == last_ + 1, "a mark has another tick");
     ++counts_.marks;
     ++last_;
-    ticks_.insert_or_assign(last_, model_);
+    const std::uint64_t seed = random_.below(1000);
+    ticks_.insert_or_assign(last_, Tick{model_, Numbers(world_), Answers(world_, flavour_, seed), seed});
     if (ticks_.size() > kept_ticks_) ticks_.erase(ticks_.begin());
   }
 
-  void rewind() {
+  /// Returns a tick, mostly one that the history has.
+  std::uint64_t random_tick() {
     const std::uint64_t first = ticks_.empty() ? 0 : ticks_.begin()->first;
-    const std::uint64_t tick = random_.chance(10) ? random_.below(last_ + 2) : first + random_.below(last_ + 1 - first);
-    const Result<void> done = world_.rewind(tick);
-    const auto found = ticks_.find(tick);
-    if (found == ticks_.end()) {
-      const ErrorCode code = tick == 0 || tick > last_ ? ErrorCode::unknown_tick : ErrorCode::old_tick;
-      return require(!done && done.error().code == code, "a rewind to an unknown tick was not refused");
+    return random_.chance(10) ? random_.below(last_ + 2) : first + random_.below(last_ + 1 - first);
+  }
+
+  /// Returns whether the history has the tick, and whether the world has refused it if not.
+  template <class Value>
+  bool has_tick(std::uint64_t tick, const Result<Value>& done) {
+    if (ticks_.contains(tick)) {
+      require(done.ok(), "the world refused a tick that its history has");
+      return done.ok();
     }
-    require(done.ok(), "a rewind was refused");
+    const ErrorCode code = tick == 0 || tick > last_ ? ErrorCode::unknown_tick : ErrorCode::old_tick;
+    require(!done && done.error().code == code, "the world did not refuse an unknown tick");
+    return false;
+  }
+
+  void rewind() {
+    const std::uint64_t tick = random_tick();
+    if (!has_tick(tick, world_.rewind(tick))) return;
+    const auto found = ticks_.find(tick);
     ++counts_.rewinds;
     ++version_;
     last_ = tick;
-    model_ = found->second;
+    model_ = found->second.model;
     ticks_.erase(std::next(found), ticks_.end());
     require(random_.chance(70) || world_.validate().fault.empty(), "the world is not valid after a rewind");
   }
@@ -208,6 +230,17 @@ class RandomHistory {
     const std::uint64_t seed = random_.below(1000);
     Held held{std::move(snapshot), model_, Numbers(world_), Answers(world_, flavour_, seed), seed};
     ++counts_.snapshots;
+    compare(held);
+    if (random_.chance(70)) held_.push_back(std::move(held));
+  }
+
+  void publish_tick() {
+    const std::uint64_t number = random_tick();
+    Result<WorldSnapshot> snapshot = world_.publish(number);
+    if (!has_tick(number, snapshot)) return;
+    const Tick& tick = ticks_.at(number);
+    Held held{*std::move(snapshot), tick.model, tick.numbers, tick.answers, tick.seed};
+    ++counts_.snapshots_of_ticks;
     compare(held);
     if (random_.chance(70)) held_.push_back(std::move(held));
   }
@@ -316,7 +349,7 @@ class RandomHistory {
   Model model_;
   std::uint64_t version_ = 0;
   std::uint64_t last_ = 0;  ///< the last tick
-  std::map<std::uint64_t, Model> ticks_;
+  std::map<std::uint64_t, Tick> ticks_;
   std::vector<Held> held_;
   HistoryCounts counts_;
   std::string fault_;  ///< the first fault
@@ -332,6 +365,7 @@ HistoryCounts& HistoryCounts::operator+=(const HistoryCounts& other) {
   rewinds += other.rewinds;
   attempts += other.attempts;
   snapshots += other.snapshots;
+  snapshots_of_ticks += other.snapshots_of_ticks;
   comparisons += other.comparisons;
   clones += other.clones;
   saves += other.saves;

@@ -17,6 +17,7 @@ struct HistoryCounts {
   std::size_t rewinds = 0;
   std::size_t attempts = 0;
   std::size_t snapshots = 0;
+  std::size_t snapshots_of_ticks = 0;
   std::size_t comparisons = 0;  ///< comparisons of a snapshot with the state that it was made from, some time later
   std::size_t clones = 0;
   std::size_t saves = 0;
@@ -29,10 +30,11 @@ struct HistoryReport {
   HistoryCounts counts;
 };
 
-/// Makes `count` random steps with one world: operations, marks, rewinds, attempts, snapshots, clones and saves.
-/// Readers hold some snapshots for many steps. Compares the world after each step with a model, which keeps all items
-/// of each tick: the items, their hash as docs/hashes.md defines it, the next id, and the dump of a new world with
-/// these items. Compares each snapshot with the model of its moment, when it is made and before it is released.
+/// Makes `count` random steps with one world: operations, marks, rewinds, attempts, snapshots of the present and of
+/// ticks, clones and saves. Readers hold some snapshots for many steps. Compares the world after each step with a
+/// model, which keeps all items of each tick: the items, their hash as docs/hashes.md defines it, the next id, and the
+/// dump of a new world with these items. Compares each snapshot with the model of its moment or tick, when it is made
+/// and before it is released.
 [[nodiscard]] HistoryReport check_history(Flavour flavour, std::uint64_t seed, std::size_t count);
 
 }  // namespace waywright::test

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <thread>
@@ -114,6 +115,138 @@ TEST(Snapshot, LetsAWatchReadOneAfterTheOther) {
   world.insert(Shape::rectangle({{40, 40}, {60, 60}})).value();
   watch.update(*world.publish(), changes);
   EXPECT_EQ(changes.blocked, std::vector<std::uint64_t>{1});
+}
+
+TEST(SnapshotOfATick, IsTheWorldOfThatTick) {
+  World world = World::create(kTen, {.keep_bridges = true}).value();
+  world.keep_history(4);
+  world.insert_segment({1, 1}, {5, 5}).value();
+  const std::uint64_t tick = world.mark();
+  const World then = world.clone();
+  const Path path = world.find_path({.start = {1, 3}, .goal = {3, 1}}).value();
+  world.replace(1, Shape::segment({2, 6}, {6, 2})).value();
+  world.insert_polygon({{7, 7}, {9, 7}, {8, 9}}).value();
+  world.reserve_ids(70).value();
+  const World now = world.clone();
+  const WorldSnapshot snapshot = world.publish(tick).value();
+  EXPECT_EQ(snapshot->dump(), then.dump());
+  EXPECT_EQ(snapshot->items(), then.items());
+  EXPECT_EQ(snapshot->largest_id_seen(), then.largest_id_seen());
+  EXPECT_EQ(snapshot->version(), then.version());
+  EXPECT_EQ(snapshot.version(), then.version());
+  EXPECT_EQ(snapshot->find_path({.start = {1, 3}, .goal = {3, 1}}).value().points, path.points);
+  EXPECT_EQ(snapshot->changes_since(0)->size(), 1U);
+  EXPECT_EQ(world.dump(), now.dump());
+  EXPECT_EQ(world.version(), now.version());
+  EXPECT_EQ(world.largest_id_seen(), now.largest_id_seen());
+  EXPECT_TRUE(world.rewind(tick).ok());  // the world still has the tick
+}
+
+TEST(SnapshotOfATick, NeedsAKnownTick) {
+  World world = World::create(kTen).value();
+  EXPECT_EQ(world.publish(1).error().code, ErrorCode::no_history);
+  world.keep_history(1);
+  EXPECT_EQ(world.publish(1).error().code, ErrorCode::unknown_tick);
+  EXPECT_EQ(world.publish(0).error().code, ErrorCode::unknown_tick);
+  world.mark();
+  world.mark();
+  EXPECT_EQ(world.publish(1).error().code, ErrorCode::old_tick);
+  EXPECT_EQ(world.publish(1).error().index, 1U);
+  EXPECT_TRUE(world.publish(2).ok());
+}
+
+TEST(SnapshotOfATick, IsSharedByItsReaders) {
+  World world = World::create(kTen).value();
+  world.keep_history(2);
+  const WorldSnapshot present = world.publish();
+  const std::uint64_t tick = world.mark();
+  EXPECT_EQ(world.publish(tick).value(), present);
+  world.insert_point({1, 1}).value();
+  const WorldSnapshot past = world.publish(tick).value();
+  EXPECT_EQ(past, present);
+  EXPECT_EQ(world.publish(tick).value(), past);
+  EXPECT_EQ(past->item_count(), 0U);
+}
+
+// A lag-compensating server: in each tick it publishes the present and the world of eight ticks ago.
+TEST(SnapshotOfATick, UsesTheMemoryOfReleasedSnapshotsAgain) {
+  World world = World::create(kTen).value();
+  world.keep_history(8);
+  std::vector<const World*> seen;
+  for (int i = 0; i < 40; ++i) {
+    const std::uint64_t tick = world.mark();
+    world.insert_point({1.0 + 0.1 * i, 1}).value();
+    const WorldSnapshot present = world.publish();
+    const WorldSnapshot past = world.publish(std::max<std::uint64_t>(tick, 8) - 7).value();
+    ASSERT_EQ(present->item_count(), std::size_t(i) + 1);
+    ASSERT_EQ(past->item_count(), std::size_t(std::max(i - 7, 0)));
+    for (const World* const each : {&*present, &*past}) {
+      if (std::find(seen.begin(), seen.end(), each) == seen.end()) seen.push_back(each);
+    }
+  }
+  EXPECT_LE(seen.size(), 4U);
+}
+
+// The world has forgotten the boxes up to the tick, so the snapshot has no boxes.
+TEST(SnapshotOfATick, HasOnlyTheBoxesThatTheWorldStillHas) {
+  World world = World::create({{0, 0}, {1000, 1000}}).value();
+  world.keep_history(1);
+  const ItemId id = world.insert(Shape::rectangle({{1, 1}, {2, 2}})).value();
+  const std::uint64_t tick = world.mark();
+  const Path path = world.find_path({.start = {0, 1.5}, .goal = {3, 1.5}}).value();
+  for (int i = 0; i < 6000; ++i) {
+    const double x = 1 + i % 900;
+    world.replace(id, Shape::rectangle({{x, 1}, {x + 1, 2}})).value();
+  }
+  const WorldSnapshot past = world.publish(tick).value();
+  EXPECT_EQ(past->version(), 1U);
+  EXPECT_FALSE(past->changes_since(0).has_value());
+  EXPECT_TRUE(past->changes_since(1)->empty());
+  EXPECT_FALSE(past->is_affected(path, 1));
+  EXPECT_TRUE(past->is_affected(path, 0));
+}
+
+// A watch that reads an older world than before cannot use the changed boxes, and looks at all paths.
+TEST(SnapshotOfATick, LetsAWatchGoBack) {
+  World world = World::create(kTen).value();
+  world.keep_history(1);
+  PathWatch watch(world);
+  world.insert_segment({5, 0}, {5, 8}, 1).value();
+  const std::uint64_t tick = world.mark();
+  world.remove(1).value();
+  PathChanges changes;
+  watch.update(world, changes);
+  watch.add(7, world.find_path({.start = {1, 1}, .goal = {9, 1}}).value());
+  const WorldSnapshot past = world.publish(tick).value();
+  EXPECT_FALSE(past->changes_since(world.version()).has_value());
+  watch.update(*past, changes);
+  EXPECT_EQ(changes.blocked, std::vector<std::uint64_t>{7});
+  watch.update(world, changes);
+  EXPECT_TRUE(changes.blocked.empty());
+}
+
+// A rewind takes back a change that a replica has repeated. Then the record of changed items overflows, so the replica
+// can no longer follow the world. A snapshot of the tick makes the record reach back farther than the replica, but it
+// still lacks the change.
+TEST(SnapshotOfATick, DoesNotReviveAReplicaThatIsTooOld) {
+  World world = World::create(kTen).value();
+  world.keep_history(1);
+  world.insert_segment({1, 1}, {2, 2}, 1).value();
+  const std::uint64_t tick = world.mark();
+  world.insert_segment({3, 1}, {4, 2}, 2).value();
+  WorldSnapshot other_branch = world.publish();
+  world.rewind(tick).value();
+  for (int i = 0; i < 3000; ++i) world.insert_point({1.0 + i * 0x1p-10, 5}).value();
+  const WorldSnapshot past = world.publish(tick).value();
+  EXPECT_EQ(past->item_count(), 1U);
+  other_branch.release();
+  for (int i = 0; i < 4; ++i) {
+    const WorldSnapshot present = world.publish();
+    ASSERT_EQ(present->dump(), world.dump());
+    const WorldSnapshot again = world.publish(tick).value();
+    ASSERT_EQ(again->item_count(), 1U);
+    world.insert_point({1.0 + i, 6}).value();
+  }
 }
 
 TEST(Snapshot, LeavesNoMemoryAfterShrinking) {

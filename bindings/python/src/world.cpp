@@ -27,9 +27,10 @@ py::dict options_of(const Handle& self) {
   return result;
 }
 
-SnapshotPointer publish(WorldHandle& self) {
+SnapshotPointer publish(WorldHandle& self, std::optional<std::uint64_t> tick) {
   self.refuse_in_attempt();
-  return std::make_shared<SnapshotHandle>(self.write([](World& world) { return world.publish(); }), self.pool());
+  const auto made = self.write([&](World& world) { return tick ? world.publish(*tick).value() : world.publish(); });
+  return std::make_shared<SnapshotHandle>(made, self.pool());
 }
 
 WorldPointer clone(const WorldHandle& self) {
@@ -89,7 +90,7 @@ void bind_world(WorldClass& world) {
             self.write([&](World& w) { w.set_new_vertex_limit(limit.value_or(kNoVertexLimit)); });
           },
           "The largest number of vertices that one operation may make; None for no limit.")
-      .def("publish", &publish,
+      .def("publish", &publish, py::arg("tick") = py::none(),
            R"(Returns a snapshot: an immutable world with the state of this moment, for readers on other threads.
 
 The first call copies the world. A later call repeats what has changed in the memory of a snapshot that has been released,
@@ -99,6 +100,15 @@ so its cost depends on the changes.
 >>> world.remove(1)
 >>> snapshot.find_path((10, 50), (90, 50)).length > world.find_path((10, 50), (90, 50)).length
 True
+
+With ``tick``, the snapshot has the state of an earlier tick, and the world does not change. To keep many earlier states,
+keep a history instead of their snapshots: it takes memory only for the items that have changed.
+
+>>> world.keep_history(600)
+>>> tick = world.mark()
+>>> world.remove(2)
+>>> 2 in world, 2 in world.publish(tick)
+(False, True)
 )")
       .def("__repr__", [](const WorldHandle& self) {
         return self.read([](const World& w) { return "<waywright.World " + facts_of(w) + ">"; });
