@@ -206,6 +206,24 @@ TEST(SnapshotOfATick, HasOnlyTheBoxesThatTheWorldStillHas) {
   EXPECT_TRUE(past->is_affected(path, 0));
 }
 
+// The world forgets its oldest boxes while it makes the snapshot: the copy goes back by an operation.
+TEST(SnapshotOfATick, HasTheLastBoxesHoweverManyTheWorldHas) {
+  World world = World::create(kTen).value();
+  world.keep_history(3);
+  world.insert(Shape::rectangle({{1, 1}, {2, 2}}), 1).value();
+  for (int i = 0; i < 4500; ++i) {
+    const std::uint64_t tick = world.mark();
+    world.replace(1, Shape::rectangle({{1.0 + i % 8, 1}, {2.0 + i % 8, 2}})).value();
+    if (i < 1000) continue;
+    world.shrink_to_fit();  // so that the snapshot needs a copy
+    const WorldSnapshot past = world.publish(tick - 1).value();
+    const auto boxes = past->changes_since(past.version() - 500);
+    ASSERT_TRUE(boxes.has_value()) << i;
+    ASSERT_EQ(boxes->size(), 1000U) << i;
+    ASSERT_EQ(boxes->back().version, past.version()) << i;
+  }
+}
+
 // A watch that reads an older world than before cannot use the changed boxes, and looks at all paths.
 TEST(SnapshotOfATick, LetsAWatchGoBack) {
   World world = World::create(kTen).value();
