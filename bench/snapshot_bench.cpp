@@ -110,8 +110,8 @@ void time_publish(benchmark::State& state, std::size_t vertices, Holding holding
   state.counters["MB_snapshot"] = static_cast<double>(held->memory().total()) * 1e-6;
 }
 
-/// After every kChanges changes, marks a tick, publishes the present and times the snapshot of an earlier tick. Readers
-/// hold both until the next round.
+/// In each round, marks a tick, makes kChanges changes, publishes the present and times the snapshot of an earlier
+/// tick. Readers hold both until the next round.
 void time_publish_tick(benchmark::State& state, std::size_t vertices) {
   constexpr std::size_t kRounds = 1000;
   constexpr std::size_t kTicks = 100;

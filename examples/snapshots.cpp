@@ -39,7 +39,7 @@ void close_door(World& world) {
   std::printf("then it %s path, with %zu items\n", is_reachable ? "finds a" : "finds no", snapshot->item_count());
 }
 
-/// A player fired along the line from (10, 95) to (90, 95), and the message arrives at the server one tick later. Then
+/// A player fired along the line from (10, 95) to (90, 95), and the message arrives at the server a moment later. Then
 /// the door has already opened.
 void judge_shot(World& world) {
   world.keep_history(8);

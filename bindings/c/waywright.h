@@ -108,7 +108,7 @@ enum {
   WW_WORLD_GONE = 12,        /* the world of a search no longer exists */
   WW_NOT_SUPPORTED = 13,     /* a request that this version, this build or this world does not support */
   WW_NO_BRIDGES = 14,        /* a query that needs bridges, of a world that does not keep them */
-  WW_NO_HISTORY = 15,        /* a mark or a rewind of a world that keeps no history */
+  WW_NO_HISTORY = 15,        /* a mark, a rewind or a snapshot of a tick, of a world without history */
   WW_OLD_TICK = 16,          /* a tick that the history of a world no longer contains */
   WW_UNKNOWN_TICK = 17,      /* a tick that no mark of a world has */
   WW_UNREADABLE = 18,        /* a file or an input that cannot be opened or read */
@@ -862,7 +862,8 @@ typedef struct ww_changed_box {
 
 /* Writes the regions that the operations after version `since` have changed, the oldest first: the bounding box of each
    segment, polyline or polygon that they inserted or removed. If the world no longer has all boxes since that version,
-   the function sets *is_known to 0 and writes no box. ww_world_is_affected says how many boxes a world keeps. */
+   or if `since` is above the version of the world, the function sets *is_known to 0 and writes no box.
+   ww_world_is_affected says how many boxes a world keeps. */
 WW_API ww_status ww_world_changes_since(const ww_world* world, uint64_t since, ww_bool* is_known, ww_changed_box* boxes,
                                         size_t capacity, size_t* count);
 
@@ -875,8 +876,10 @@ WW_API ww_status ww_world_changes_since(const ww_world* world, uint64_t since, w
 WW_API ww_status ww_world_publish(ww_world* world, ww_snapshot** snapshot);
 /* Makes a snapshot with the state that the world had at a tick (ww_world_mark), as if ww_world_publish had been called
    then. The world does not change. So a program can keep many earlier states in the history, which takes memory only
-   for the items that have changed, and can read each of them. The cost depends on the items that have changed since the
-   tick. ww_world_changes_since knows only the boxes that the world still has.
+   for the items that have changed, and can read each of them. The first call costs as much as ww_world_clone and
+   ww_world_rewind; the cost of a later one depends on the items that have changed since the tick, if the earlier
+   snapshots of ticks have been destroyed. In the snapshot, ww_world_changes_since knows only the boxes that the world
+   still had when you made the snapshot.
    Errors: the errors of ww_world_rewind. */
 WW_API ww_status ww_world_publish_tick(ww_world* world, uint64_t tick, ww_snapshot** snapshot);
 /* Makes another handle of the same immutable world. The cost does not depend on the world. */

@@ -43,7 +43,7 @@ enum class ErrorCode : std::uint8_t {
   world_gone,         ///< the world of a PathSearch no longer exists
   not_supported,      ///< a request that this version or this world does not support
   no_bridges,         ///< a query that needs bridges, of a world that does not keep them
-  no_history,         ///< a rewind of a world that keeps no history
+  no_history,         ///< a rewind, or a snapshot of a tick, of a world that keeps no history
   old_tick,           ///< a tick that the history of a world no longer contains
   unknown_tick,       ///< a tick that no mark has: World::mark() has not returned it, or a rewind has dropped it
   unreadable,         ///< a file that cannot be opened or read
@@ -112,7 +112,8 @@ struct Error {
   detail::ErrorWords words;  ///< the data of message(); if you make an Error yourself, set it to a string
   ItemId item;               ///< the id that caused the error, or null
   /// The index of the refused element in its list (from 0); for a query with two ends, 0 for the first and 1 for the
-  /// second; or a line number (from 1). World::rewind sets it to the tick, and load_world to a number of bytes.
+  /// second; or a line number (from 1). World::rewind and World::publish set it to the tick, and load_world to a
+  /// number of bytes.
   std::uint64_t index = 0;
 
   /// Returns the error in words, for a person: `the goal, (7, 12), lies outside the domain, (0, 0) to (10, 10)`.

@@ -32,7 +32,7 @@ struct MemoryUse {
   std::size_t sectors = 0;      ///< for point location: the vertices from which walks start
   std::size_t abstraction = 0;  ///< the path abstraction: see WorldOptions::keep_abstraction
   std::size_t bridges = 0;      ///< the bridges: see WorldOptions::keep_bridges
-  std::size_t history = 0;      ///< the ticks to which World::rewind can return
+  std::size_t history = 0;      ///< the ticks for World::rewind and World::publish
   /// Unused capacity of arrays; the undo logs, records of changes and scratch that operations keep; and replicas of the
   /// world for later snapshots.
   std::size_t spare = 0;

@@ -98,9 +98,10 @@ class WAYWRIGHT_API PathWatch {
   /// remove them. A path that stays blocked appears in `changes` again only if a later operation changes something near
   /// it.
   ///
-  /// If the world no longer has the boxes of all operations since then (World::changes_since()), the watch looks at all
-  /// paths: it calls World::is_clear() for each path of a point agent, and lists each path of a disc in
-  /// PathChanges::may_be_blocked and each path in PathChanges::may_be_too_long, without a test.
+  /// If the world no longer has the boxes of all operations since then (World::changes_since()), or if `world` is a
+  /// snapshot that is older than the world at the last update, the watch looks at all paths: it calls World::is_clear()
+  /// for each path of a point agent, and lists each path of a disc in PathChanges::may_be_blocked and each path in
+  /// PathChanges::may_be_too_long, without a test.
   /// Requires: `world` is the world for which the watch was made, this world after a move, or a snapshot of it
   /// (WorldSnapshot). No question of World::attempt() is running on it.
   /// Cost: for each box of the operations since the last update (ChangedBox), a search in a tree; for the pieces of

@@ -253,17 +253,18 @@ class WAYWRIGHT_API World {
   /// Returns an immutable world with the current state of this world. Other threads can query it while this world
   /// changes. WorldSnapshot describes the replicas. If memory runs out, nothing changes.
   /// Requires: no question of attempt() is running on this world.
-  /// Cost: the function takes the newest replica that no reader holds. For each item that has changed since this
-  /// replica was last equal to the world, it makes at most one removal and one insertion. If readers hold all replicas,
-  /// or if more items have changed than 64 plus a 32nd of all items, it costs as much as clone().
+  /// Cost: the function takes the newest replica that no reader holds. For each item that has changed since the version
+  /// of this replica, it makes at most one removal and one insertion. If readers hold all replicas, or if more items
+  /// have changed than 64 plus a 32nd of all items, it costs as much as clone().
   [[nodiscard]] WorldSnapshot publish();
-  /// Returns an immutable world with the state of this world at a tick (mark()), as if you had called publish() at that
-  /// tick. This world does not change. WorldSnapshot has an example. If memory runs out, nothing changes.
+  /// Returns an immutable world with the state of this world at a tick (mark()). This world does not change.
+  /// WorldSnapshot has an example. If memory runs out, nothing changes.
   /// Requires: no question of attempt() is running on this world.
   /// Errors: the errors of rewind().
-  /// Cost: the cost of publish(), for the items that have changed since the tick, and those that have changed since the
-  /// replica was last equal to a state of this world. If readers hold all replicas, or if too many items have changed,
-  /// it costs as much as clone() and rewind().
+  /// Cost: n log n in the changes since the tick. The function takes a replica that has served a tick before. For each
+  /// item that has changed since the tick, or since the version of the replica, it makes a comparison and, if the item
+  /// differs, at most one removal and one insertion. If there is no such replica, it costs as much as clone() and
+  /// rewind().
   [[nodiscard]] Result<WorldSnapshot> publish(std::uint64_t tick);
 
   /// @}

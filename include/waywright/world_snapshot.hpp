@@ -44,25 +44,27 @@ inline constexpr char kEmptySnapshot[] =
 ///
 /// Several handles may share one immutable world, which you reach with `->` and `*`. All const members of World work,
 /// without a context or with one. They give the same answers as the world gave, also version(), is_affected() and
-/// changes_since(). Only memory() and Path::time can differ. In the snapshot of a tick, changes_since() knows only the
-/// boxes that the world still had when the tick was published. A PathWatch can read one snapshot after the other: each
-/// of them counts as the world for which the watch was made. The immutable world has no history. To get a world that
-/// you can change, call its World::clone().
+/// changes_since(). Only memory() and Path::time can differ. The snapshot of a tick has two further differences:
+/// changes_since() and is_affected() know only the boxes that the world still had when the tick was published, and
+/// new_vertex_limit() is that of the world at that moment. A PathWatch can read one snapshot after the other: each of
+/// them counts as the world for which the watch was made. The immutable world has no history. To get a world that you
+/// can change, call its World::clone().
 ///
-/// If nothing has changed since the last call of World::publish() and a reader still has the snapshot of that call, the
-/// function returns the same snapshot. Each immutable world is a *replica*: a copy of the original world. When the
-/// readers have released all handles of a replica, a later call uses it again: the call repeats the later changes of
-/// the world in this replica. The world keeps the replicas that no reader holds, for later snapshots. If the world
-/// keeps more than two such replicas, each call of World::publish() attaches one of them, which the world needs no
-/// longer, to the new snapshot: when a thread releases the last handle of the snapshot, this thread also frees the
-/// attached replica. So publish() itself need not spend time on this. Suppose that the readers release each snapshot
-/// when the next one exists. Then the third call uses the replica of the first snapshot again and repeats the changes
-/// since the first call, the fourth call uses the replica of the second snapshot, and so on. The first call makes a
-/// replica, because there is none yet. Later, a call makes one if readers hold all replicas, or if no free replica can
-/// be updated, for example because too many items have changed (see World::publish). After the first call, each
-/// operation also records the ids of the items that it changes, 16 bytes for each. Each snapshot that readers hold
-/// takes as much memory as a clone(). If a replica is attached to it, this replica takes the same memory once more.
-/// World::shrink_to_fit() frees the replicas that the world keeps for later snapshots.
+/// If a reader still has a snapshot of the same state, World::publish() usually returns this snapshot. Each immutable
+/// world is a *replica*: a copy of the original world. When the readers have released all handles of a replica, a later
+/// call uses it again: the call repeats the later changes of the world in this replica, or goes back to a tick. The
+/// world keeps the replicas that no reader holds, for later snapshots. A replica serves either snapshots of the present
+/// or snapshots of ticks. If the world keeps more than two such replicas of one kind, each call of World::publish()
+/// attaches one of them, which the world needs no longer, to the new snapshot: when a thread releases the last handle
+/// of the snapshot, this thread also frees the attached replica. So publish() itself need not spend time on this.
+/// Suppose that the readers release each snapshot when the next one exists. Then the third call uses the replica of the
+/// first snapshot again and repeats the changes since the first call, the fourth call uses the replica of the second
+/// snapshot, and so on. The first call makes a replica, because there is none yet. Later, a call makes one if readers
+/// hold all replicas, or if no free replica can be updated, for example because too many items have changed (see
+/// World::publish). After the first call, each operation also records the ids of the items that it changes, 16 bytes
+/// for each. Each snapshot that readers hold takes as much memory as a clone(). If a replica is attached to it, this
+/// replica takes the same memory once more. World::shrink_to_fit() frees the replicas that the world keeps for later
+/// snapshots.
 ///
 /// When the last handle of an immutable world is released or destroyed, World::publish() may use its memory again. If
 /// the world does not keep this memory, or has been destroyed, the thread with the last handle frees it. A snapshot can

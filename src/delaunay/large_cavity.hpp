@@ -31,10 +31,12 @@ class LargeCavity {
 
   /// Fills `triangles` with the triangles of the cavity; each comes after the triangle on whose edge it lies, and the
   /// first one lies on the base. `positions` are the positions of the border's vertices, counter-clockwise. The base
-  /// runs from the last of them to the first. Requires: three or more positions.
-  void triangulate(const Geometry& geometry, std::span<const View> positions, std::vector<Triangle>& triangles) {
+  /// runs from the last of them to the first. `seed` decides in which order the function inserts the vertices
+  /// (InsertionOrder::reset()). Requires: three or more positions.
+  void triangulate(const Geometry& geometry, std::span<const View> positions, std::uint64_t seed,
+                   std::vector<Triangle>& triangles) {
     const auto replaces = [&](Index h, Index p) { return is_in_circle(geometry, positions, h, p); };
-    triangles_.triangulate(positions.size(), {}, replaces, triangles);
+    triangles_.triangulate(positions.size(), seed, {}, replaces, triangles);
   }
 
   void count_memory(MemoryUse& use) const { triangles_.count_memory(use); }

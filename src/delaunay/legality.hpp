@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "base/compiler.hpp"
@@ -43,20 +44,28 @@ template <class Geometry, class Mesh>
   return is_legal(geometry, mesh, h, geometry.view(number(mesh.apex(h))));
 }
 
-// A flip rebuilds two faces. Afterwards, half-edges on the stack may represent other edges. So the function pushes the
+// A flip rebuilds two faces. Afterwards, half-edges in the queue may represent other edges. So the function adds the
 // four outer edges of the two faces again. The edge between the two faces is legal after the flip.
+//
+// With a stack instead of a queue, the flips go on at one side of a freed edge before they begin at the other side. If
+// a long edge between two rows of n points becomes free, there are then n^2 flips. With the queue, there are about n.
 /// Flips the edges in `freed`, and the edges that these flips make illegal, until every free edge is legal. Empties
 /// `freed`.
 template <class Geometry, class Mesh>
 void legalise(const Geometry& geometry, Mesh& mesh, std::vector<mesh::HalfEdge>& freed) {
-  while (!freed.empty()) {
-    const mesh::HalfEdge h = freed.back();
-    freed.pop_back();
+  constexpr std::size_t kMostDone = 4096;
+  for (std::size_t done = 0; done < freed.size();) {
+    if (done >= kMostDone && 2 * done >= freed.size()) {
+      freed.erase(freed.begin(), freed.begin() + static_cast<std::ptrdiff_t>(done));
+      done = 0;
+    }
+    const mesh::HalfEdge h = freed[done++];
     if (mesh.is_fixed(h) || is_legal(geometry, mesh, h)) continue;
     const mesh::HalfEdge t = mesh.twin(h);
     mesh.flip(h);
     for (const mesh::HalfEdge edge : {h, previous(h), t, previous(t)}) freed.push_back(edge);
   }
+  freed.clear();
 }
 
 }  // namespace waywright::delaunay

@@ -3,9 +3,19 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/bit_cast.hpp"
+
 namespace waywright::delaunay {
 
-void InsertionOrder::reset(std::size_t count, std::span<const double> distances) {
+std::uint64_t changed_seed(std::uint64_t seed, const Point& position) {
+  for (const double coordinate : {position.x, position.y}) {
+    seed = (seed ^ base::bit_cast<std::uint64_t>(coordinate)) * 0x9e3779b97f4a7c15u;
+    seed ^= seed >> 32;
+  }
+  return seed;
+}
+
+void InsertionOrder::reset(std::size_t count, std::uint64_t seed, std::span<const double> distances) {
   order_.resize(count - 2);
   before_.resize(count);
   after_.resize(count);
@@ -14,7 +24,7 @@ void InsertionOrder::reset(std::size_t count, std::span<const double> distances)
     after_[i] = i + 1;
     if (i + 2 < count) order_[i] = i + 1;
   }
-  std::uint64_t state = count;
+  std::uint64_t state = seed;
   for (std::size_t left = order_.size(); left > 0;) {
     state = state * 6364136223846793005u + 1442695040888963407u;  // Knuth's MMIX generator
     Index& chosen = order_[static_cast<std::size_t>((state >> 32) * left >> 32)];

@@ -6,11 +6,15 @@
 #include <vector>
 
 #include "waywright/memory_use.hpp"
+#include "waywright/point.hpp"
 
 #include "memory/count.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace waywright::delaunay {
+
+/// Changes a seed for InsertionOrder by a position. Start with any number, and pass the position of each vertex.
+[[nodiscard]] std::uint64_t changed_seed(std::uint64_t seed, const Point& position);
 
 /// A random order in which an algorithm inserts the vertices of a polygon. The vertices are the numbers from 0 to
 /// count - 1, counter-clockwise. The edge from the last vertex to the first is the *base*. The base is there from the
@@ -22,11 +26,12 @@ class InsertionOrder {
  public:
   using Index = std::uint32_t;
 
-  /// Finds the order for `count` vertices. Equal arguments give equal orders. If `distances` is not empty, it contains
-  /// a number for each vertex, and the function removes no vertex whose number is smaller than the numbers of both
-  /// neighbours. Requires: `count` is at least 3, and no number is smaller than the numbers of the two ends of the
-  /// base.
-  void reset(std::size_t count, std::span<const double> distances = {});
+  /// Finds the order for `count` vertices. Equal arguments give equal orders. The seed should depend on the positions
+  /// of the vertices (changed_seed()): then it is hard to choose positions for which the order is a bad one. If
+  /// `distances` is not empty, it contains a number for each vertex, and the function removes no vertex whose number is
+  /// smaller than the numbers of both neighbours. Requires: `count` is at least 3, and no number is smaller than the
+  /// numbers of the two ends of the base.
+  void reset(std::size_t count, std::uint64_t seed, std::span<const double> distances = {});
 
   /// The vertices in the order of their insertion.
   [[nodiscard]] std::span<const Index> vertices() const { return order_; }
@@ -55,16 +60,16 @@ class PolygonTriangles {
   [[nodiscard]] Index apex(Index h) const { return origin_[previous(h)]; }
 
   /// Fills `triangles` with the triangles of a polygon of `count` vertices. The first one lies on the base, and each of
-  /// the others comes after the triangle on whose edge it lies. `count` and `distances` are the arguments of
+  /// the others comes after the triangle on whose edge it lies. `count`, `seed` and `distances` are the arguments of
   /// InsertionOrder::reset().
   ///
   /// A new vertex `p` lies between two neighbours in the polygon. The triangle on the edge between them is the first
   /// that `p` may replace. Let h be a half-edge between the area that `p` has replaced and the triangle of h. If
   /// replaces(h, p) is true, `p` replaces this triangle, too.
   template <class Replaces>
-  void triangulate(std::size_t count, std::span<const double> distances, Replaces&& replaces,
+  void triangulate(std::size_t count, std::uint64_t seed, std::span<const double> distances, Replaces&& replaces,
                    std::vector<Triangle>& triangles) {
-    order_.reset(count, distances);
+    order_.reset(count, seed, distances);
     start(count, order_.vertices().front());
     for (const Index p : order_.vertices().subspan(1)) insert(p, replaces);
     list(triangles);

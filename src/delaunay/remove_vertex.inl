@@ -118,7 +118,10 @@ void Triangulation<Geometry>::collect_cavity(const Star& star, std::size_t from,
 template <class Geometry>
 mesh::HalfEdge Triangulation<Geometry>::refill_cavity() {
   if (cavity_edges_.size() > kLargeCavity) {
-    large_cavity_.triangulate(geometry_, std::span(cavity_positions_).first(cavity_edges_.size() + 1), triangles_);
+    std::uint64_t seed = 0;
+    for (const mesh::HalfEdge h : cavity_edges_) seed = changed_seed(seed, geometry_.rounded(number(mesh_.origin(h))));
+    large_cavity_.triangulate(geometry_, std::span(cavity_positions_).first(cavity_edges_.size() + 1), seed,
+                              triangles_);
     return mesh_.refill(cavity_edges_, triangles_);
   }
   triangles_.clear();

@@ -14,6 +14,7 @@
 #include "delaunay/polygon_triangles.hpp"
 #include "delaunay/tie_rule.hpp"
 #include "exact/sign.hpp"
+#include "exact/twofold.hpp"
 #include "memory/count.hpp"
 
 namespace waywright::delaunay {
@@ -56,8 +57,10 @@ class SegmentCavity {
   /// function does not prove that the triangles are Delaunay. Requires: three or more positions.
   [[nodiscard]] WAYWRIGHT_NO_INLINE bool triangulate(const Geometry& geometry, std::vector<Triangle>& triangles) {
     find_distances();
+    std::uint64_t seed = 0;
+    for (const Point& p : rounded_) seed = changed_seed(seed, p);
     triangles_.triangulate(
-        positions_.size(), distances_, [&](Index h, Index p) { return replaces(geometry, h, p); }, triangles);
+        positions_.size(), seed, distances_, [&](Index h, Index p) { return replaces(geometry, h, p); }, triangles);
     return std::all_of(triangles.begin(), triangles.end(), [&](const Triangle& triangle) {
       return is_left(geometry, positions_[triangle.from], positions_[triangle.apex], positions_[triangle.to]);
     });
@@ -80,14 +83,13 @@ class SegmentCavity {
     return geometry.orientation(a, b, c) == exact::Sign::positive;
   }
 
-  /// Computes the distance of each vertex from the line of the segment, times a constant.
+  /// Computes the distance of each vertex from the line of the segment, times a constant. A vertex may be so near to
+  /// this line that a product of doubles has a larger rounding error than its distance. So the function uses products
+  /// of Twofold numbers.
   void find_distances() {
-    const Point a = rounded_.back();
-    const Point b = rounded_.front();
     distances_.clear();
-    for (const Point& p : rounded_) {
-      distances_.push_back(std::abs((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)));
-    }
+    for (const Point& p : rounded_)
+      distances_.push_back(std::abs(exact::precise_cross(rounded_.back(), rounded_.front(), p)));
   }
 
   /// Whether the new vertex `p` replaces the triangle of `h`. If a dangling edge starts at a corner of the triangle,

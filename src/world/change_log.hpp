@@ -55,7 +55,8 @@ class ChangeLog {
     if (entries_.capacity() < other.entries_.size()) entries_.reserve(other.entries_.capacity());
   }
   /// Makes the log equal to what `other` has of the operations up to version `until`. Allocates nothing. Requires:
-  /// reserve_to_follow() was called, and the logs were equal when the world of `other` had the version `since`.
+  /// reserve_to_follow() was called, and the boxes up to version min(since, until) that `other` has are the last ones
+  /// up to this version in this log, too.
   void follow(const ChangeLog& other, std::uint64_t since, std::uint64_t until) {
     const auto end_of = [](const std::vector<ChangedBox>& entries, std::uint64_t version) {
       return static_cast<std::ptrdiff_t>(index_after(entries, version));
@@ -64,7 +65,7 @@ class ChangeLog {
     entries_.erase(entries_.begin() + end_of(entries_, until), entries_.end());
     entries_.erase(entries_.begin(), entries_.end() - common);
     entries_.insert(entries_.end(), other.entries_.begin() + common,
-                    other.entries_.begin() + std::max(common, end_of(other.entries_, until)));
+                    other.entries_.begin() + end_of(other.entries_, until));
     complete_since_ = std::min(other.complete_since_, until);
   }
 

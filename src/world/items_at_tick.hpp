@@ -36,6 +36,9 @@ class ItemsAtTick {
     return true;
   }
 
+  /// The items that have changed since the tick. Empty for the items of now.
+  [[nodiscard]] std::span<const History::ChangedItem> changed() const { return changed_; }
+
  private:
   const constraint::ExactTriangulation& now_;
   const History* history_ = nullptr;

@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t kToTheEnd = std::numeric_limits<std::size_t>::max();
 
 /// Returns whether `concerns(box)` is true for one of the boxes. `boxes` is an answer of World::changes_since(). Also
-/// returns true if it is empty.
+/// returns true if the world does not have the boxes.
 template <class Concerns>
 bool has_box(const std::optional<std::span<const ChangedBox>>& boxes, const Concerns& concerns) {
   return !boxes ||

@@ -95,12 +95,13 @@ Result<void> World::rewind(std::uint64_t tick) {
   WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
   if (auto error = impl_->history.find_error(tick)) return *std::move(error);
-  impl_->rewind(tick);
+  impl_->bring_back(impl_->history, tick);
+  impl_->history.return_to(tick);
   return {};
 }
 
-void World::Impl::rewind(History::Tick tick) {
-  ChangesBack changes = changes_back_to(history, tick, triangulation);
+void World::Impl::bring_back(History& from, History::Tick tick) {
+  ChangesBack changes = changes_back_to(from, tick, triangulation);
   std::optional<Error> error;
   if (is_most_removed(changes, triangulation)) {
     change_log.begin();
@@ -109,7 +110,7 @@ void World::Impl::rewind(History::Tick tick) {
     for (const ItemId id : changes.removed) note_for_snapshots(id);
     for (const ItemId id : changes.inserted_ids) note_for_snapshots(id);
     add_items_that_stay(changes, triangulation);
-    error = replace_all(Batch{changes.inserted, changes.inserted_ids}, history.largest_id(tick), {});
+    error = replace_all(Batch{changes.inserted, changes.inserted_ids}, from.largest_id(tick), {});
     WAYWRIGHT_ASSERT(!error, kNoLimitInRewind);
   } else {
     Operation operation(*this, Operation::Kind::rewind);
@@ -120,10 +121,9 @@ void World::Impl::rewind(History::Tick tick) {
       error = operation.insert_all(Batch{changes.inserted, changes.inserted_ids});
     }
     WAYWRIGHT_ASSERT(!error, kNoLimitInRewind);
-    operation.set_largest_id_seen(history.largest_id(tick));
+    operation.set_largest_id_seen(from.largest_id(tick));
     operation.commit();
   }
-  history.return_to(tick);
 }
 
 }  // namespace waywright

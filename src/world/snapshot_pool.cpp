@@ -44,6 +44,16 @@ SnapshotPool::~SnapshotPool() {
   for (Replica* const replica : replicas_) replica->release();
 }
 
+template <class Matches>
+SnapshotPool::Replicas::iterator SnapshotPool::find_oldest(Matches&& matches) {
+  auto oldest = replicas_.end();
+  for (auto i = replicas_.begin(); i != replicas_.end(); ++i) {
+    if (!matches(*i)) continue;
+    if (oldest == replicas_.end() || (*i)->world.version() < (*oldest)->world.version()) oldest = i;
+  }
+  return oldest;
+}
+
 Replica* SnapshotPool::add_handle_of(const ReplicaState& state) const {
   for (Replica* const replica : replicas_) {
     const World& world = replica->world;
@@ -54,18 +64,21 @@ Replica* SnapshotPool::add_handle_of(const ReplicaState& state) const {
   return nullptr;
 }
 
-// Afterwards the record may reach farther back than the versions of some replicas, but lack changes of these replicas:
-// changes that a rewind has taken back.
+// A replica may have repeated a change that a rewind has taken back later. The extended record may lack this change. So
+// a replica to which the record did not reach back before cannot follow the world afterwards, either.
 void SnapshotPool::extend_record(const ReplicaState& state) {
-  if (changed_.has_all_since(state.version)) return;
+  if (changed_.has_all_since(state.version) || state.items.changed().size() > changed_.limit()) return;
   for (Replica* const replica : replicas_) {
     if (!can_follow(*replica)) replica->note_too_old();
   }
-  changed_.extend_to(state.version, state.changed);
+  ids_.clear();
+  for (const History::ChangedItem& item : state.items.changed()) ids_.push_back(item.id);
+  changed_.extend_to(state.version, ids_);
 }
 
-// If an item differs between the replica and a tick, it has changed since the tick (ReplicaState::changed), or it is
-// now as it was at the tick. In the second case it has changed since the version of the replica.
+// If an item differs between the replica and a tick, it has changed since the tick (ItemsAtTick::changed()), or it is
+// now as it was at the tick. In the second case it has changed since the version of the replica. A copy of the world
+// would also have to go back over the changes since the tick.
 Replica* SnapshotPool::find_free(const ReplicaState& state) {
   extend_record(state);
   const auto distance = [&](const Replica* replica) {
@@ -74,17 +87,18 @@ Replica* SnapshotPool::find_free(const ReplicaState& state) {
   };
   Replica* nearest = nullptr;
   for (Replica* const replica : replicas_) {
-    if (!replica->is_free() || !can_follow(*replica)) continue;
+    if (replica->serves_ticks() != state.tick.has_value() || !replica->is_free() || !can_follow(*replica)) continue;
     if (nearest == nullptr || distance(replica) < distance(nearest)) nearest = replica;
   }
   if (nearest == nullptr) return nullptr;
   changed_.since(nearest->world.version(), ids_);
-  if (!state.changed.empty()) {
-    ids_.insert(ids_.end(), state.changed.begin(), state.changed.end());
+  const auto changed_since_tick = state.items.changed();
+  if (!changed_since_tick.empty()) {
+    for (const History::ChangedItem& item : changed_since_tick) ids_.push_back(item.id);
     std::sort(ids_.begin(), ids_.end());
     ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
   }
-  return ids_.size() <= limit_ ? nearest : nullptr;
+  return ids_.size() <= limit_ + changed_since_tick.size() ? nearest : nullptr;
 }
 
 void SnapshotPool::drop(Replica* replica) {
@@ -92,29 +106,20 @@ void SnapshotPool::drop(Replica* replica) {
   replica->release();
 }
 
-Replica* SnapshotPool::add(World&& copy) {
+Replica* SnapshotPool::add(World&& copy, bool serves_ticks) {
   replicas_.reserve(kMost + 1);
-  replicas_.push_back(new Replica(std::move(copy)));
+  replicas_.push_back(new Replica(std::move(copy), serves_ticks));
   return replicas_.back();
 }
 
-void SnapshotPool::hand_out(Replica* replica) {
+void SnapshotPool::hand_out(Replica* replica, std::size_t item_count) {
   replicas_.erase(std::find(replicas_.begin(), replicas_.end(), replica));
   release_too_old();
-  replica->release_with_last_handle(take_unneeded());
+  replica->release_with_last_handle(take_unneeded(replica->serves_ticks()));
   replicas_.push_back(replica);
-  limit_ = kFewChanges + replica->world.item_count() / kItemsForEachChange;
+  limit_ = kFewChanges + item_count / kItemsForEachChange;
   changed_.set_limit(limit_);
-  changed_.forget_until((*find_oldest(false))->world.version());
-}
-
-SnapshotPool::Replicas::iterator SnapshotPool::find_oldest(bool is_free) {
-  auto oldest = replicas_.end();
-  for (auto i = replicas_.begin(); i != replicas_.end(); ++i) {
-    if (is_free && !(*i)->is_free()) continue;
-    if (oldest == replicas_.end() || (*i)->world.version() < (*oldest)->world.version()) oldest = i;
-  }
-  return oldest;
+  changed_.forget_until((*find_oldest([](const Replica*) { return true; }))->world.version());
 }
 
 void SnapshotPool::release_too_old() {
@@ -124,17 +129,22 @@ void SnapshotPool::release_too_old() {
     return !is_kept;
   });
   if (replicas_.size() < kMost) return;
-  const auto oldest = find_oldest(false);
+  const auto oldest = find_oldest([](const Replica*) { return true; });
   (*oldest)->release();
   replicas_.erase(oldest);
 }
 
-Replica* SnapshotPool::take_unneeded() {
-  const auto is_free = [](const Replica* replica) { return replica->is_free(); };
-  const auto oldest = find_oldest(true);
-  if (oldest == replicas_.end()) return nullptr;
-  const auto free_count = static_cast<std::size_t>(std::count_if(replicas_.begin(), replicas_.end(), is_free));
-  if (free_count <= kMostFree && can_follow(**oldest)) return nullptr;
+Replica* SnapshotPool::take_unneeded(bool serves_ticks) {
+  const auto is_left_behind = [&](const Replica* replica) { return replica->is_free() && !can_follow(*replica); };
+  const auto is_spare = [&](const Replica* replica) {
+    return replica->is_free() && replica->serves_ticks() == serves_ticks;
+  };
+  auto oldest = find_oldest(is_left_behind);
+  if (oldest == replicas_.end()) {
+    const auto count = static_cast<std::size_t>(std::count_if(replicas_.begin(), replicas_.end(), is_spare));
+    if (count <= kMostFree) return nullptr;
+    oldest = find_oldest(is_spare);
+  }
   Replica* const unneeded = *oldest;
   replicas_.erase(oldest);
   return unneeded;

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "waywright/world.hpp"
 
 #include "world/changed_items.hpp"
+#include "world/history.hpp"
 #include "world/items_at_tick.hpp"
 #include "world/replica_prefetch.hpp"
 
@@ -23,12 +25,17 @@ namespace detail {
 /// (WorldSnapshot) together. The last owner frees it. If no handle owns it, nobody reads the copy, and only the pool
 /// can make new handles. So the thread that changes the world may then change the copy.
 ///
+/// A replica serves either snapshots of the present or snapshots of ticks. Otherwise a program that publishes both in
+/// turn would move each replica to and fro between the present and the ticks.
+///
 /// Threads: threads with a handle may call add_handle() and remove_handle() at any time. The other functions belong to
 /// the thread that changes the world.
 class Replica {
  public:
   /// Makes a replica that only the pool owns.
-  explicit Replica(World&& copy) : world(std::move(copy)) {}
+  Replica(World&& copy, bool serves_ticks) : world(std::move(copy)), serves_ticks_(serves_ticks) {}
+
+  [[nodiscard]] bool serves_ticks() const { return serves_ticks_; }
 
   /// Returns whether this replica is free: no snapshot refers to it, and the pool owns it.
   [[nodiscard]] bool is_free() const { return owners_.load(std::memory_order_acquire) == 1; }
@@ -48,7 +55,8 @@ class Replica {
   /// Makes remove_handle() of the last handle of this replica call release() on `replica`, too. Requires: this replica
   /// has no handle yet.
   void release_with_last_handle(Replica* replica) { released_with_last_handle_ = replica; }
-  /// Whether the pool has forgotten changes that this replica has not repeated. Then it cannot follow the world.
+  /// Whether the replica can no longer follow the world, although the record of changes may reach back to its version
+  /// (SnapshotPool::extend_record()).
   [[nodiscard]] bool is_too_old() const { return is_too_old_; }
   void note_too_old() { is_too_old_ = true; }
 
@@ -60,6 +68,7 @@ class Replica {
   std::atomic<std::size_t> handles_ = 0;
   std::atomic<std::uint32_t> owners_ = 1;
   Replica* released_with_last_handle_ = nullptr;
+  bool serves_ticks_;
   bool is_too_old_ = false;
 };
 
@@ -67,11 +76,11 @@ class Replica {
 
 /// A state of a world that a replica can get: the present one, or that of a tick.
 struct ReplicaState {
-  ItemsAtTick items;
+  std::optional<History::Tick> tick;  ///< or nothing for the present state
   std::uint64_t version;
   ItemId largest_id;             ///< the largest id that the world had seen
   std::size_t new_vertex_limit;  ///< of the world now
-  std::vector<ItemId> changed;   ///< the items that have changed between this state and the present one, ascending
+  ItemsAtTick items;
 };
 
 /// The scratch of World::Impl::follow(): the shapes of one item in the world and in the replica, and the memory of
@@ -85,7 +94,7 @@ struct ReplicaScratch {
 };
 
 /// The replicas of a world, and the changes that they have not repeated yet. A replica *follows* the world if it
-/// repeats these changes (World::Impl::follow()).
+/// repeats these changes, or goes back to the state of a tick (World::Impl::follow()).
 ///
 /// Threads: the pool belongs to the thread that changes the world, but count_memory() is a query.
 class SnapshotPool {
@@ -99,10 +108,12 @@ class SnapshotPool {
   /// Records an item that an operation inserts or removes. `version` is the version of the world after the operation.
   void note_changed(ItemId id, std::uint64_t version) { changed_.add(id, version); }
 
-  /// If a replica with readers has this state, adds a handle to it and returns it. Otherwise returns null.
+  /// If the pool has a replica with readers that has this state, adds a handle to it and returns it. Otherwise returns
+  /// null. Does not read `state.items`.
   [[nodiscard]] detail::Replica* add_handle_of(const ReplicaState& state) const;
-  /// Returns a free replica that can follow the world to this state, or null if there is none, or if a copy of the
-  /// world would cost less. Among several such replicas, takes the one with the nearest version.
+  /// Returns a free replica that can follow the world to this state and serves such states. Returns null if there is
+  /// none, or if a copy of the world would cost less. Of several such replicas, returns the one whose version is
+  /// nearest to that of the state.
   [[nodiscard]] detail::Replica* find_free(const ReplicaState& state);
   /// Returns the items in which the replica that find_free() has returned may differ from the state. No item occurs
   /// twice.
@@ -112,43 +123,47 @@ class SnapshotPool {
   /// Takes a free replica out of the pool and frees it.
   void drop(detail::Replica* replica);
   /// Makes a replica of a copy of the world, and adds it to the pool. If memory runs out, changes nothing.
-  [[nodiscard]] detail::Replica* add(World&& copy);
-  /// Prepares a replica for its first reader, and makes it the newest replica of the pool. Gives up the replicas that
-  /// the pool no longer needs. Allocates nothing. Requires: the replica is free and equal to the world.
-  void hand_out(detail::Replica* replica);
+  [[nodiscard]] detail::Replica* add(World&& copy, bool serves_ticks);
+  /// Prepares a replica for its first reader. Gives up the replicas that the pool no longer needs. `item_count` is the
+  /// number of items of the world now. Allocates nothing. Requires: the replica is free.
+  void hand_out(detail::Replica* replica, std::size_t item_count);
 
   void count_memory(MemoryUse& use) const;
 
  private:
-  /// If the pool has more free replicas than this number, hand_out() gives up one of them.
+  /// If the pool has more free replicas for the present than this number, or more for ticks, hand_out() gives up one of
+  /// them.
   static constexpr std::size_t kMostFree = 2;
   /// The largest number of replicas that the pool owns. The last reader of an older replica frees it.
   static constexpr std::size_t kMost = 16;
 
-  /// Let n be the number of items of the world. A replica can follow the world if at most kFewChanges + n /
-  /// kItemsForEachChange items have changed. If more have changed, a copy of the world costs less.
+  /// Let n be the number of items of the world. If more than kFewChanges + n / kItemsForEachChange items have changed,
+  /// a copy of the world costs less than to follow it.
   static constexpr std::size_t kFewChanges = 64;
   /// See kFewChanges.
   static constexpr std::size_t kItemsForEachChange = 32;
 
   using Replicas = std::vector<detail::Replica*>;
 
-  /// Extends the record of changes, so that a replica of this state can follow the world later.
+  /// Extends the record of changes, so that a replica of this state can follow the world later. Does nothing if too
+  /// many items have changed since this state.
   void extend_record(const ReplicaState& state);
-  /// Returns the oldest replica, or the oldest free one. Returns the end of the list if there is none.
-  [[nodiscard]] Replicas::iterator find_oldest(bool is_free);
+  /// Returns the oldest of the replicas for which `matches(replica)` is true, or the end of the list.
+  template <class Matches>
+  [[nodiscard]] Replicas::iterator find_oldest(Matches&& matches);
   /// Removes from the pool each replica that readers hold and that cannot follow the world any more. Then removes the
   /// oldest replica if the pool has kMost. Requires: the replica for hand_out() is not in the pool.
   void release_too_old();
-  /// Takes one free replica that the pool does not need out of the pool and returns it, or returns null.
-  [[nodiscard]] detail::Replica* take_unneeded();
+  /// Takes one free replica that the pool does not need out of the pool and returns it, or returns null: the oldest one
+  /// that cannot follow the world or, if there are too many, the oldest of those that serve ticks, or do not.
+  [[nodiscard]] detail::Replica* take_unneeded(bool serves_ticks);
   [[nodiscard]] bool can_follow(const detail::Replica& replica) const {
     return !replica.is_too_old() && changed_.has_all_since(replica.world.version());
   }
 
   Replicas replicas_;  ///< in no order
   ChangedItems changed_;
-  std::size_t limit_ = kFewChanges;  ///< if more items have changed, find_free() returns null
+  std::size_t limit_ = kFewChanges;  ///< if more items have changed, a copy costs less
   std::vector<ItemId> ids_;          ///< the answer of changed()
   ReplicaScratch scratch_;
 };

@@ -111,21 +111,22 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   /// returns the error; the operation must then be undone.
   [[nodiscard]] static std::optional<Error> make_changes(Operation& operation, std::span<const Change> changes,
                                                          std::span<const ItemId> ids);
-  /// Brings back the items of a tick as one operation. Requires: the history has the tick.
-  void rewind(History::Tick tick);
-  /// Returns a replica with a state of this world, with one handle more.
-  [[nodiscard]] detail::Replica* publish(const ReplicaState& state, std::optional<History::Tick> tick);
-  /// Gives this world a state of `other`, without its history. `changed` are the items that may differ. If memory runs
-  /// out, some of these items may already be as in this state. The caller can then call the function again, with this
-  /// state or another one. Returns true if it has succeeded. If the result is false, a state between the changes would
-  /// have too many vertices, and this world must not be used any more. Requires: this world is a replica of `other`,
-  /// and nobody reads it.
+  /// Brings back the items of a tick as one operation. `from` is the history of this world, or of the world of which it
+  /// is a copy. Requires: the history has the tick.
+  void bring_back(History& from, History::Tick tick);
+  /// Returns a replica that has the state, and adds a handle to it.
+  [[nodiscard]] detail::Replica* publish(const ReplicaState& state);
+  /// Gives this world a state of `other`. `changed` are the items that may differ. If memory runs out, some of these
+  /// items may already be as in this state, and the version may be that of this state. The caller can then call the
+  /// function again, with this state or another one. Returns true if it has succeeded. If the result is false, a state
+  /// between the changes would have too many vertices, and this world must not be used any more. Requires: this world
+  /// is a replica of `other`, and nobody reads it.
   [[nodiscard]] bool follow(const Impl& other, const ReplicaState& state, std::span<const ItemId> changed,
                             ReplicaScratch& scratch);
   /// Gives one item the shape that it has in a state. Returns whether it has succeeded.
   [[nodiscard]] bool follow_item(const ReplicaState& state, ItemId id, ReplicaScratch& scratch);
   /// Gives this replica a version of `other`, and the changed boxes up to this version. Allocates nothing. Requires:
-  /// ChangeLog::reserve_to_follow() was called.
+  /// the requirements of ChangeLog::follow().
   void set_version(const Impl& other, std::uint64_t version);
   /// Records in `snapshots` an item that the operation in progress inserts or removes.
   void note_for_snapshots(ItemId id) {

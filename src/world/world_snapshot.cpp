@@ -18,8 +18,8 @@
 #include "world/snapshot_pool.hpp"
 #include "world/world_impl.hpp"
 
-// Snapshots for readers. A snapshot refers to a replica: a copy of the world. World::publish() makes a replica that
-// nobody reads equal to the world.
+// Snapshots for readers. A snapshot refers to a replica: a copy of the world. World::publish() gives a replica that
+// nobody reads the state of the world, or of a tick.
 
 namespace waywright {
 
@@ -62,8 +62,8 @@ bool World::Impl::follow(const Impl& other, const ReplicaState& state, std::span
     touch_log->note_world_gone();
     touch_log = std::move(fresh);
   }
-  // If memory runs out between two items, this replica has the version of the earlier one of the two states. The record
-  // of the pool then has all items in which it may differ from other states.
+  // If memory runs out between two items, this replica has the earlier one of its old version and that of `state`. Then
+  // find_free() finds all items in which it may differ from another state.
   if (state.version < version()) set_version(other, state.version);
   for (std::size_t i = 0; i < changed.size(); ++i) {
     if (i % ReplicaPrefetch::kItems == 0) {
@@ -79,25 +79,22 @@ bool World::Impl::follow(const Impl& other, const ReplicaState& state, std::span
   return true;
 }
 
-detail::Replica* World::Impl::publish(const ReplicaState& state, std::optional<History::Tick> tick) {
-  if (!snapshots) snapshots = std::make_unique<SnapshotPool>(version());
-  if (detail::Replica* const same = snapshots->add_handle_of(state)) return same;
+detail::Replica* World::Impl::publish(const ReplicaState& state) {
   detail::Replica* replica = snapshots->find_free(state);
   if (replica != nullptr && !replica->world.impl_->follow(*this, state, snapshots->changed(), snapshots->scratch())) {
     snapshots->drop(replica);
     replica = nullptr;
   }
   if (replica == nullptr) {
-    auto copy = std::make_unique<Impl>(*this, tick ? history : History());
-    if (tick) {
-      copy->rewind(*tick);
-      copy->history = History();
+    auto copy = std::make_unique<Impl>(*this, History());
+    if (state.tick) {
+      copy->bring_back(history, *state.tick);
       copy->change_log = change_log;
       copy->set_version(*this, state.version);
     }
-    replica = snapshots->add(World(std::move(copy)));
+    replica = snapshots->add(World(std::move(copy)), state.tick.has_value());
   }
-  snapshots->hand_out(replica);
+  snapshots->hand_out(replica, triangulation.items().size());
   replica->add_first_handle();
   return replica;
 }
@@ -105,8 +102,11 @@ detail::Replica* World::Impl::publish(const ReplicaState& state, std::optional<H
 WorldSnapshot World::publish() {
   WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
-  const ReplicaState now{ItemsAtTick(impl_->triangulation), version(), largest_id_seen(), new_vertex_limit(), {}};
-  return WorldSnapshot(impl_->publish(now, std::nullopt));
+  const ReplicaState now{std::nullopt, version(), largest_id_seen(), new_vertex_limit(),
+                         ItemsAtTick(impl_->triangulation)};
+  if (!impl_->snapshots) impl_->snapshots = std::make_unique<SnapshotPool>(version());
+  if (detail::Replica* const same = impl_->snapshots->add_handle_of(now)) return WorldSnapshot(same);
+  return WorldSnapshot(impl_->publish(now));
 }
 
 Result<WorldSnapshot> World::publish(std::uint64_t tick) {
@@ -114,14 +114,13 @@ Result<WorldSnapshot> World::publish(std::uint64_t tick) {
   const base::FloatEnvironment environment;
   History& history = impl_->history;
   if (auto error = history.find_error(tick)) return *std::move(error);
-  const std::vector<History::ChangedItem> items = history.changed_since(tick);
-  ReplicaState state{ItemsAtTick(impl_->triangulation, history, items),
-                     history.version(tick),
-                     history.largest_id(tick),
-                     new_vertex_limit(),
-                     {}};
-  for (const History::ChangedItem& item : items) state.changed.push_back(item.id);
-  return WorldSnapshot(impl_->publish(state, tick));
+  const ReplicaState equal{tick, history.version(tick), history.largest_id(tick), new_vertex_limit(),
+                           ItemsAtTick(impl_->triangulation)};
+  if (!impl_->snapshots) impl_->snapshots = std::make_unique<SnapshotPool>(version());
+  if (detail::Replica* const same = impl_->snapshots->add_handle_of(equal)) return WorldSnapshot(same);
+  const std::vector<History::ChangedItem> changed = history.changed_since(tick);
+  const ItemsAtTick items(impl_->triangulation, history, changed);
+  return WorldSnapshot(impl_->publish({tick, equal.version, equal.largest_id, equal.new_vertex_limit, items}));
 }
 
 WorldSnapshot::WorldSnapshot(const WorldSnapshot& other) noexcept : replica_(other.replica_) {

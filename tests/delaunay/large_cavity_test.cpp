@@ -41,7 +41,7 @@ void check_cavity(double size, const std::vector<Point>& points) {
   for (std::size_t k = 0; k < link.size(); ++k) {
     std::vector<exact::Geometry::View> positions;
     for (const mesh::Vertex w : link) positions.push_back(with.view(w));
-    cavity.triangulate(with.geometry(), positions, triangles);
+    cavity.triangulate(with.geometry(), positions, k, triangles);
     ASSERT_EQ(triangles.size(), link.size() - 2);
     for (const auto& [from, apex, to] : triangles) {
       ASSERT_LT(from, apex);

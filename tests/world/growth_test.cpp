@@ -256,6 +256,27 @@ TEST(Growth, ACourtyardInALargeTown) {
   }
 }
 
+/// Returns how many in-circle tests the library has made.
+std::uint64_t in_circle_tests() {
+  const StageCounts counts = predicate_counts().in_circle;
+  return counts.doubles + counts.lattice + counts.integers;
+}
+
+// The wall crosses an edge for each point. After its removal, the flips on both sides of the wall must take turns.
+TEST(Growth, TheRemovalOfAWallBetweenTwoRows) {
+  constexpr int kPoints = 2000;
+  World world = World::create(kDomain).value();
+  for (int i = 1; i < kPoints; ++i) {
+    const double x = -100 + 200.0 * i / kPoints;
+    world.insert_point({x, i % 2 == 0 ? 1.0 : -1.0}).value();
+  }
+  const ItemId wall = world.insert_segment({-100, 0}, {100, 0}).value();
+  const std::uint64_t before = in_circle_tests();
+  world.remove(wall).value();
+  EXPECT_LT(in_circle_tests() - before, 20U * kPoints);
+  ASSERT_NO_FATAL_FAILURE(expect_right(world));
+}
+
 TEST(Growth, IdenticalItems) {
   std::vector<Shape> shapes(12, square({0, 0}, 4));
   shapes.push_back(Shape::polygon({{{-4, -4}, {4, -4}, {4, 4}, {-4, 4}}, {{-4, -4}, {4, -4}, {4, 4}, {-4, 4}}}));

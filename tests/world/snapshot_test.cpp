@@ -206,7 +206,7 @@ TEST(SnapshotOfATick, HasOnlyTheBoxesThatTheWorldStillHas) {
   EXPECT_TRUE(past->is_affected(path, 0));
 }
 
-// The world forgets its oldest boxes while it makes the snapshot: the copy goes back by an operation.
+// The copy goes back by an operation, which makes it forget its oldest boxes. The world still has them.
 TEST(SnapshotOfATick, HasTheLastBoxesHoweverManyTheWorldHas) {
   World world = World::create(kTen).value();
   world.keep_history(3);

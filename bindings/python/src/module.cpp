@@ -57,7 +57,7 @@ In the examples, ``world`` is the world that this example makes:
 2
 )");
   SnapshotClass snapshot(module, "Snapshot", R"(
-A world that never changes: the state that a world had when its World.publish() was called.
+A world that never changes: the state that a world had when its World.publish() was called, or at an earlier tick.
 
 It has all queries of World, with the same answers as the world gave. Any number of threads may use it while another thread
 changes the world, and neither waits for the other. release() lets the world use its memory again, and so does the end of a

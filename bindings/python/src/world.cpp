@@ -29,8 +29,8 @@ py::dict options_of(const Handle& self) {
 
 SnapshotPointer publish(WorldHandle& self, std::optional<std::uint64_t> tick) {
   self.refuse_in_attempt();
-  const auto made = self.write([&](World& world) { return tick ? world.publish(*tick).value() : world.publish(); });
-  return std::make_shared<SnapshotHandle>(made, self.pool());
+  return std::make_shared<SnapshotHandle>(
+      self.write([&](World& world) { return tick ? world.publish(*tick).value() : world.publish(); }), self.pool());
 }
 
 WorldPointer clone(const WorldHandle& self) {

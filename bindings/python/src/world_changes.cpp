@@ -49,7 +49,7 @@ void bind_history(WorldClass& world) {
               self.keeps_history = ticks > 0;
             });
           },
-          py::arg("ticks"), "Makes the world remember its last ``ticks`` ticks, so that rewind() can go back to them.")
+          py::arg("ticks"), "Makes the world remember its last ``ticks`` ticks, for rewind() and publish().")
       .def(
           "mark",
           [](WorldHandle& self) {
@@ -121,9 +121,10 @@ True
 
 template <class Class>
 void bind_changes_since(Class& world) {
-  world.def(
-      "changes_since", &changes_since<typename Class::type>, py::arg("version"),
-      R"(Returns the boxes that the operations after a version have changed, or None if the world no longer has them.
+  world.def("changes_since", &changes_since<typename Class::type>, py::arg("version"),
+            R"(Returns the boxes that the operations after a version have changed.
+
+The result is None if the world no longer has them, or if ``version`` is above the version of the world.
 
 >>> before = world.version
 >>> world.remove(1)
