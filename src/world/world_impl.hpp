@@ -37,11 +37,12 @@ class WAYWRIGHT_INTERNAL World::Operation {
     change,   ///< the history records the changes
     rewind,   ///< the history does not record the changes, and no limit applies: the world had these items before
     attempt,  ///< the caller calls update() and not commit(), so the destructor takes the changes back
-    follow,   ///< a replica repeats a change of its world; history and ChangeLog do not record it; only the mesh is
-              ///< limited
+    follow,   ///< a replica repeats a change of its world; history and ChangeLog do not record it
   };
 
-  explicit Operation(Impl& impl, Kind kind = Kind::change);
+  /// Starts an operation. If no limit of the world applies to it, the mesh may have `most_vertices` vertices
+  /// afterwards.
+  explicit Operation(Impl& impl, Kind kind = Kind::change, std::size_t most_vertices = constraint::kMostVertices);
   ~Operation();
   Operation(const Operation&) = delete;
   Operation& operator=(const Operation&) = delete;
@@ -123,8 +124,9 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   /// is a replica of `other`, and nobody reads it.
   [[nodiscard]] bool follow(const Impl& other, const ReplicaState& state, std::span<const ItemId> changed,
                             ReplicaScratch& scratch);
-  /// Gives one item the shape that it has in a state. Returns whether it has succeeded.
-  [[nodiscard]] bool follow_item(const ReplicaState& state, ItemId id, ReplicaScratch& scratch);
+  /// Gives one item the shape that it has in a state. Returns false if the mesh would have more than `most_vertices`.
+  [[nodiscard]] bool follow_item(const ReplicaState& state, ItemId id, std::size_t most_vertices,
+                                 ReplicaScratch& scratch);
   /// Gives this replica a version of `other`, and the changed boxes up to this version. Allocates nothing. Requires:
   /// the requirements of ChangeLog::follow().
   void set_version(const Impl& other, std::uint64_t version);
@@ -202,10 +204,11 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   std::optional<Operation> attempt;         ///< the operation of World::attempt(), while its question runs
 };
 
-inline World::Operation::Operation(Impl& impl, Kind kind)
+inline World::Operation::Operation(Impl& impl, Kind kind, std::size_t most_vertices)
     : impl_(impl),
       kind_(kind),
-      operation_(impl.triangulation, is_limited() ? impl.limits : constraint::VertexLimits{}) {
+      operation_(impl.triangulation,
+                 is_limited() ? impl.limits : constraint::VertexLimits{.of_triangulation = most_vertices}) {
   if (impl_.abstraction) impl_.abstraction->begin();
   if (impl_.abstraction_of_walls) impl_.abstraction_of_walls->begin();
   if (impl_.clearance) clearance_operation_.emplace(*impl_.clearance);

@@ -25,6 +25,9 @@ namespace waywright {
 
 namespace {
 
+/// See World::Impl::follow().
+constexpr std::size_t kMoreVertices = 1024;
+
 /// Commits an operation. GCC 12 warns of members without a value if it inlines this.
 template <class Operation>
 WAYWRIGHT_NO_INLINE void commit(Operation& operation) {
@@ -33,13 +36,14 @@ WAYWRIGHT_NO_INLINE void commit(Operation& operation) {
 
 }  // namespace
 
-bool World::Impl::follow_item(const ReplicaState& state, ItemId id, ReplicaScratch& scratch) {
+bool World::Impl::follow_item(const ReplicaState& state, ItemId id, std::size_t most_vertices,
+                              ReplicaScratch& scratch) {
   const bool is_here = triangulation.items().contains(id);
   const bool is_there = state.items.find(id, scratch.in_world);
   if (!is_here && !is_there) return true;
   if (is_here) fill_shape(triangulation, id, scratch.in_replica);
   if (is_here && is_there && scratch.in_replica == scratch.in_world) return true;
-  Operation operation(*this, Operation::Kind::follow);
+  Operation operation(*this, Operation::Kind::follow, most_vertices);
   if (is_here) operation.remove(id);
   if (is_there && operation.insert(scratch.in_world, id)) return false;
   commit(operation);
@@ -65,12 +69,16 @@ bool World::Impl::follow(const Impl& other, const ReplicaState& state, std::span
   // If memory runs out between two items, this replica has the earlier one of its old version and that of `state`. Then
   // find_free() finds all items in which it may differ from another state.
   if (state.version < version()) set_version(other, state.version);
+  // Old shapes of some items may cross new shapes of others very often, although no state of the world has these
+  // crossings. A copy of the world then costs less.
+  const std::size_t most_vertices =
+      2 * (triangulation.topology().vertex_count() + other.triangulation.topology().vertex_count()) + kMoreVertices;
   for (std::size_t i = 0; i < changed.size(); ++i) {
     if (i % ReplicaPrefetch::kItems == 0) {
       const std::size_t count = std::min(changed.size() - i, ReplicaPrefetch::kItems);
       scratch.prefetch.run(triangulation, other.triangulation, kept_abstraction(), changed.subspan(i, count));
     }
-    if (!follow_item(state, changed[i], scratch)) return false;
+    if (!follow_item(state, changed[i], most_vertices, scratch)) return false;
   }
   // Nothing can fail from here on.
   set_version(other, state.version);

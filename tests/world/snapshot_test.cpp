@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -265,6 +266,40 @@ TEST(SnapshotOfATick, DoesNotReviveAReplicaThatIsTooOld) {
     if (i == 2) past.release();
     world.insert_point({1.0 + i, 6}).value();
   }
+}
+
+// Two combs with k teeth swap their places. If a replica moves them one after the other, they cross k^2 times.
+TEST(Snapshot, MakesNoCrossingsThatTheWorldNeverHad) {
+  const auto comb = [](double left, bool is_vertical) {
+    std::vector<Point> points;
+    for (int i = 0; i < 200; ++i) {
+      const double along = 100 + 4.0 * i;
+      const double across = i % 2 == 0 ? 50.0 : 950.0;
+      points.push_back(is_vertical ? Point{left + along, across} : Point{left + across, along});
+    }
+    return Shape::polyline(points);
+  };
+  World world = World::create({{0, 0}, {3000, 1000}}).value();
+  world.keep_history(2);
+  world.insert(comb(0, true), 1).value();
+  world.insert(comb(1500, false), 2).value();
+  const auto swap = [&](bool is_back) {
+    world.remove(2).value();
+    world.replace(1, comb(is_back ? 0 : 1500, true)).value();
+    world.insert(comb(is_back ? 1500 : 0, false), 2).value();
+  };
+  const std::size_t most = 8 * world.memory().total();
+  static_cast<void>(world.publish());
+  const std::uint64_t first = world.mark();
+  swap(false);
+  EXPECT_LT(world.publish()->memory().total(), most);
+  static_cast<void>(world.publish(first).value());
+  const std::uint64_t second = world.mark();
+  const std::string dump = world.dump();
+  swap(true);
+  const WorldSnapshot past = world.publish(second).value();
+  EXPECT_LT(past->memory().total(), most);
+  EXPECT_EQ(past->dump(), dump);
 }
 
 TEST(Snapshot, LeavesNoMemoryAfterShrinking) {
