@@ -52,7 +52,7 @@ template <class Geometry, class Mesh>
 /// Flips the edges in `freed`, and the edges that these flips make illegal, until every free edge is legal. Empties
 /// `freed`.
 template <class Geometry, class Mesh>
-void legalise(const Geometry& geometry, Mesh& mesh, std::vector<mesh::HalfEdge>& freed) {
+WAYWRIGHT_NO_INLINE void legalise(const Geometry& geometry, Mesh& mesh, std::vector<mesh::HalfEdge>& freed) {
   constexpr std::size_t kMostDone = 4096;
   for (std::size_t done = 0; done < freed.size();) {
     if (done >= kMostDone && 2 * done >= freed.size()) {

@@ -86,7 +86,7 @@ class SegmentCavity {
   /// Computes the distance of each vertex from the line of the segment, times a constant. A vertex may be so near to
   /// this line that a product of doubles has a larger rounding error than its distance. So the function uses products
   /// of Twofold numbers.
-  void find_distances() {
+  WAYWRIGHT_NO_INLINE void find_distances() {
     distances_.clear();
     for (const Point& p : rounded_)
       distances_.push_back(std::abs(exact::precise_cross(rounded_.back(), rounded_.front(), p)));

@@ -115,7 +115,7 @@ Replica* SnapshotPool::add(World&& copy, bool serves_ticks) {
 void SnapshotPool::hand_out(Replica* replica, std::size_t item_count) {
   replicas_.erase(std::find(replicas_.begin(), replicas_.end(), replica));
   release_too_old();
-  replica->release_with_last_handle(take_unneeded(replica->serves_ticks()));
+  replica->release_with_last_handle(take_unneeded());
   replicas_.push_back(replica);
   limit_ = kFewChanges + item_count / kItemsForEachChange;
   changed_.set_limit(limit_);
@@ -134,17 +134,16 @@ void SnapshotPool::release_too_old() {
   replicas_.erase(oldest);
 }
 
-Replica* SnapshotPool::take_unneeded(bool serves_ticks) {
-  const auto is_left_behind = [&](const Replica* replica) { return replica->is_free() && !can_follow(*replica); };
-  const auto is_spare = [&](const Replica* replica) {
-    return replica->is_free() && replica->serves_ticks() == serves_ticks;
-  };
-  auto oldest = find_oldest(is_left_behind);
-  if (oldest == replicas_.end()) {
+Replica* SnapshotPool::take_unneeded() {
+  auto oldest = find_oldest([&](const Replica* replica) { return replica->is_free() && !can_follow(*replica); });
+  for (const bool of_ticks : {false, true}) {
+    const auto is_spare = [&](const Replica* replica) {
+      return replica->is_free() && replica->serves_ticks() == of_ticks;
+    };
     const auto count = static_cast<std::size_t>(std::count_if(replicas_.begin(), replicas_.end(), is_spare));
-    if (count <= kMostFree) return nullptr;
-    oldest = find_oldest(is_spare);
+    if (oldest == replicas_.end() && count > kMostFree) oldest = find_oldest(is_spare);
   }
+  if (oldest == replicas_.end()) return nullptr;
   Replica* const unneeded = *oldest;
   replicas_.erase(oldest);
   return unneeded;

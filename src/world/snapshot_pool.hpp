@@ -155,8 +155,8 @@ class SnapshotPool {
   /// oldest replica if the pool has kMost. Requires: the replica for hand_out() is not in the pool.
   void release_too_old();
   /// Takes one free replica that the pool does not need out of the pool and returns it, or returns null: the oldest one
-  /// that cannot follow the world or, if there are too many, the oldest of those that serve ticks, or do not.
-  [[nodiscard]] detail::Replica* take_unneeded(bool serves_ticks);
+  /// that cannot follow the world or, if there are too many for the present or for ticks, the oldest of these.
+  [[nodiscard]] detail::Replica* take_unneeded();
   [[nodiscard]] bool can_follow(const detail::Replica& replica) const {
     return !replica.is_too_old() && changed_.has_all_since(replica.world.version());
   }

@@ -188,6 +188,23 @@ TEST(SnapshotOfATick, UsesTheMemoryOfReleasedSnapshotsAgain) {
   EXPECT_LE(seen.size(), 4U);
 }
 
+TEST(SnapshotOfATick, IsFreedWhenOnlyThePresentIsPublished) {
+  World world = World::create(kTen).value();
+  world.keep_history(10);
+  for (int i = 0; i < 10; ++i) {
+    world.mark();
+    world.insert_point({1.0 + 0.1 * i, 1}).value();
+  }
+  std::vector<WorldSnapshot> held;
+  for (std::uint64_t tick = 1; tick <= 10; ++tick) held.push_back(world.publish(tick).value());
+  held.clear();
+  for (int i = 0; i < 20; ++i) {
+    world.insert_point({1.0 + 0.1 * i, 2}).value();
+    static_cast<void>(world.publish());
+  }
+  EXPECT_LT(world.memory().spare, 8 * world.clone().memory().total());
+}
+
 // The world has forgotten the boxes up to the tick, so the snapshot has no boxes.
 TEST(SnapshotOfATick, HasOnlyTheBoxesThatTheWorldStillHas) {
   World world = World::create({{0, 0}, {1000, 1000}}).value();
