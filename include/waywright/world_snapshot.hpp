@@ -45,10 +45,10 @@ inline constexpr char kEmptySnapshot[] =
 /// Several handles may share one immutable world, which you reach with `->` and `*`. All const members of World work,
 /// without a context or with one. They give the same answers as the world gave, also version(), is_affected() and
 /// changes_since(). Only memory() and Path::time can differ. The snapshot of a tick has two further differences:
-/// changes_since() and is_affected() know only the boxes that the world still had when the tick was published, and
-/// new_vertex_limit() is that of the world at that moment. A PathWatch can read one snapshot after the other: each of
-/// them counts as the world for which the watch was made. The immutable world has no history. To get a world that you
-/// can change, call its World::clone().
+/// changes_since() and is_affected() know only the changed boxes (ChangedBox) that the world still had when the tick
+/// was published, and new_vertex_limit() is that of the world at that moment. A PathWatch can read one snapshot after
+/// the other: each of them counts as the world for which the watch was made. The immutable world has no history. To get
+/// a world that you can change, call its World::clone().
 ///
 /// If a reader still has a snapshot of the same state, World::publish() usually returns this snapshot. Each immutable
 /// world is a *replica*: a copy of the original world. When the readers have released all handles of a replica, a later

@@ -278,8 +278,8 @@ mesh::HalfEdge CavityFiller<Geometry>::cut_ear(Mesh& mesh, Chain& chain, mesh::V
 /// The edges of the chains themselves are always legal, so the faces beyond them stay as they are. Callers of
 /// force_edge() may rely on this. Proof: a triangle on an edge of the chain lies in the cavity. No fixed edge
 /// crossed it: the crossed edges were free, and any other edge in the cavity lies on the border of a polygon. Hence the
-/// face beyond that edge sees the triangle's apex, and the circle of a Delaunay face contains no vertex that the face
-/// sees.
+/// face beyond the edge of the chain sees the triangle's apex, and the circle of a Delaunay face contains no vertex
+/// that the face sees.
 template <class Geometry>
 template <class Mesh>
 bool CavityFiller<Geometry>::legalise_cavity(const Geometry& geometry, Mesh& mesh) {

@@ -14,8 +14,9 @@ constexpr std::uint32_t kNext[3] = {1, 2, 0};
 constexpr std::uint32_t kPrevious[3] = {2, 0, 1};
 
 /// The search adds this share of the distance to the goal to a bound. So of channels of about the same length, it takes
-/// the channel that is nearer to the goal first. If a channel pauses, its bound has no such term, so that the search
-/// takes the nodes in the same order as if no channel paused.
+/// the channel that is nearer to the goal first. If the search stops in a corridor because another channel has a
+/// smaller bound, the bound of the new node has no such term. So the search takes the nodes in the same order as
+/// without the stop.
 constexpr double kTieBreakWeight = 1.0 / 128;
 
 }  // namespace

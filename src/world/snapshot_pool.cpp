@@ -77,8 +77,9 @@ void SnapshotPool::extend_record(const ReplicaState& state) {
 }
 
 // If an item differs between the replica and a tick, it has changed since the tick (ItemsAtTick::changed()), or it is
-// now as it was at the tick. In the second case it has changed since the version of the replica. A copy of the world
-// would also have to go back over the changes since the tick.
+// now as it was at the tick. In the second case it has changed since the version of the replica. The limit is higher
+// for a tick: if the function returns null, the caller copies the world, and the copy must go back over the changes
+// since the tick.
 Replica* SnapshotPool::find_free(const ReplicaState& state) {
   extend_record(state);
   const auto distance = [&](const Replica* replica) {

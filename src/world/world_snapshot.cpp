@@ -18,8 +18,8 @@
 #include "world/snapshot_pool.hpp"
 #include "world/world_impl.hpp"
 
-// Snapshots for readers. A snapshot refers to a replica: a copy of the world. World::publish() gives a replica that
-// nobody reads the state of the world, or of a tick.
+// Snapshots for readers. A snapshot refers to a replica: a copy of the world. World::publish() takes a replica without
+// readers and makes it equal to the world, or to the world at a tick.
 
 namespace waywright {
 
@@ -66,8 +66,8 @@ bool World::Impl::follow(const Impl& other, const ReplicaState& state, std::span
     touch_log->note_world_gone();
     touch_log = std::move(fresh);
   }
-  // If memory runs out between two items, this replica has the earlier one of its old version and that of `state`. Then
-  // find_free() finds all items in which it may differ from another state.
+  // If memory runs out while this replica changes, it has the smaller one of two versions: its old version, and that of
+  // `state`. Then SnapshotPool::find_free() finds all items in which this replica may differ from another state.
   if (state.version < version()) set_version(other, state.version);
   // Old shapes of some items may cross new shapes of others very often, although no state of the world has these
   // crossings. A copy of the world then costs less.
@@ -122,13 +122,14 @@ Result<WorldSnapshot> World::publish(std::uint64_t tick) {
   const base::FloatEnvironment environment;
   History& history = impl_->history;
   if (auto error = history.find_error(tick)) return *std::move(error);
-  const ReplicaState equal{tick, history.version(tick), history.largest_id(tick), new_vertex_limit(),
-                           ItemsAtTick(impl_->triangulation)};
+  // add_handle_of() does not read the items.
+  const ReplicaState wanted{tick, history.version(tick), history.largest_id(tick), new_vertex_limit(),
+                            ItemsAtTick(impl_->triangulation)};
   if (!impl_->snapshots) impl_->snapshots = std::make_unique<SnapshotPool>(version());
-  if (detail::Replica* const same = impl_->snapshots->add_handle_of(equal)) return WorldSnapshot(same);
+  if (detail::Replica* const same = impl_->snapshots->add_handle_of(wanted)) return WorldSnapshot(same);
   const std::vector<History::ChangedItem> changed = history.changed_since(tick);
   const ItemsAtTick items(impl_->triangulation, history, changed);
-  return WorldSnapshot(impl_->publish({tick, equal.version, equal.largest_id, equal.new_vertex_limit, items}));
+  return WorldSnapshot(impl_->publish({tick, wanted.version, wanted.largest_id, wanted.new_vertex_limit, items}));
 }
 
 WorldSnapshot::WorldSnapshot(const WorldSnapshot& other) noexcept : replica_(other.replica_) {
