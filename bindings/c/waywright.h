@@ -887,9 +887,9 @@ WW_API ww_status ww_snapshot_copy(const ww_snapshot* snapshot, ww_snapshot** cop
 /* Destroys a handle. If it was the last handle of an immutable world, the library frees the memory of this world or
    uses it again. A snapshot may outlive its world. */
 WW_API void ww_snapshot_destroy(ww_snapshot* snapshot);
-/* Sets *world to the immutable world. You can pass this world to all functions that take a `const ww_world*`, on
-   several threads at once, each with its own context. The world is valid until you destroy this handle. Do not destroy
-   the world itself. */
+/* Sets *world to the immutable world. You can pass this world to all functions that take a `const ww_world*`, except
+   ww_path_watch_update, on several threads at once, each with its own context. The world is valid until you destroy
+   this handle. Do not destroy the world itself. */
 WW_API ww_status ww_snapshot_world(const ww_snapshot* snapshot, const ww_world** world);
 
 /* A path watch holds copies of the paths of many agents under keys that you choose. After operations, it says which
