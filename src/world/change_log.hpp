@@ -58,21 +58,18 @@ class ChangeLog {
   /// reserve_to_follow() was called, and the boxes up to version min(since, until) that `other` has are the last ones
   /// up to this version in this log, too.
   void follow(const ChangeLog& other, std::uint64_t since, std::uint64_t until) {
-    const auto end_of = [](const std::vector<ChangedBox>& entries, std::uint64_t version) {
-      return static_cast<std::ptrdiff_t>(index_after(entries, version));
-    };
-    const std::ptrdiff_t common = end_of(other.entries_, std::min(since, until));
-    entries_.erase(entries_.begin() + end_of(entries_, until), entries_.end());
+    const std::ptrdiff_t common = count_until(other.entries_, std::min(since, until));
+    entries_.erase(entries_.begin() + count_until(entries_, until), entries_.end());
     entries_.erase(entries_.begin(), entries_.end() - common);
     entries_.insert(entries_.end(), other.entries_.begin() + common,
-                    other.entries_.begin() + end_of(other.entries_, until));
+                    other.entries_.begin() + count_until(other.entries_, until));
     complete_since_ = std::min(other.complete_since_, until);
   }
 
   /// Returns the boxes of the operations after version `since`, or nothing if the log does not have all of them.
   [[nodiscard]] std::optional<std::span<const ChangedBox>> since(std::uint64_t since) const {
     if (since < complete_since_) return std::nullopt;
-    return std::span<const ChangedBox>(entries_).subspan(index_after(entries_, since));
+    return std::span<const ChangedBox>(entries_).subspan(static_cast<std::size_t>(count_until(entries_, since)));
   }
 
   void count_memory(MemoryUse& use) const { memory::count_spare(use, entries_, boxes_); }
@@ -88,11 +85,10 @@ class ChangeLog {
   static constexpr std::size_t kBoxesOfOperation = 256;
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-  /// Returns the index of the first entry of an operation after this version.
-  [[nodiscard]] static std::size_t index_after(const std::vector<ChangedBox>& entries, std::uint64_t version) {
+  /// Returns the number of entries of the operations up to this version.
+  [[nodiscard]] static std::ptrdiff_t count_until(const std::vector<ChangedBox>& entries, std::uint64_t version) {
     const auto is_later = [](std::uint64_t at, const ChangedBox& entry) { return at < entry.version; };
-    return static_cast<std::size_t>(std::upper_bound(entries.begin(), entries.end(), version, is_later) -
-                                    entries.begin());
+    return std::upper_bound(entries.begin(), entries.end(), version, is_later) - entries.begin();
   }
 
   ChangedBox& add_item() {

@@ -66,22 +66,26 @@ Replica* SnapshotPool::add_handle_of(const ReplicaState& state) const {
 
 // A replica may have repeated a change that a rewind has taken back later. The extended record may lack this change. So
 // a replica to which the record did not reach back before cannot follow the world afterwards, either.
-void SnapshotPool::extend_record(const ReplicaState& state) {
-  if (changed_.has_all_since(state.version) || state.items.changed().size() > changed_.limit()) return;
+void SnapshotPool::extend_record(std::uint64_t version, const ItemsAtTick& items) {
+  if (changed_.has_all_since(version) || items.changed().size() > changed_.limit()) return;
   for (Replica* const replica : replicas_) {
     if (!can_follow(*replica)) replica->note_too_old();
   }
   ids_.clear();
-  for (const History::ChangedItem& item : state.items.changed()) ids_.push_back(item.id);
-  changed_.extend_to(state.version, ids_);
+  add_changed(items);
+  changed_.extend_to(version, ids_);
+}
+
+void SnapshotPool::add_changed(const ItemsAtTick& items) {
+  for (const History::ChangedItem& item : items.changed()) ids_.push_back(item.id);
 }
 
 // If an item differs between the replica and a tick, it has changed since the tick (ItemsAtTick::changed()), or it is
 // now as it was at the tick. In the second case it has changed since the version of the replica. The limit is higher
 // for a tick: if the function returns null, the caller copies the world, and the copy must go back over the changes
 // since the tick.
-Replica* SnapshotPool::find_free(const ReplicaState& state) {
-  extend_record(state);
+Replica* SnapshotPool::find_free(const ReplicaState& state, const ItemsAtTick& items) {
+  extend_record(state.version, items);
   const auto distance = [&](const Replica* replica) {
     const std::uint64_t version = replica->world.version();
     return std::max(version, state.version) - std::min(version, state.version);
@@ -93,13 +97,12 @@ Replica* SnapshotPool::find_free(const ReplicaState& state) {
   }
   if (nearest == nullptr) return nullptr;
   changed_.since(nearest->world.version(), ids_);
-  const auto changed_since_tick = state.items.changed();
-  if (!changed_since_tick.empty()) {
-    for (const History::ChangedItem& item : changed_since_tick) ids_.push_back(item.id);
+  if (!items.changed().empty()) {
+    add_changed(items);
     std::sort(ids_.begin(), ids_.end());
     ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
   }
-  return ids_.size() <= limit_ + changed_since_tick.size() ? nearest : nullptr;
+  return ids_.size() <= limit_ + items.changed().size() ? nearest : nullptr;
 }
 
 void SnapshotPool::drop(Replica* replica) {

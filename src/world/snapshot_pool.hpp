@@ -80,7 +80,6 @@ struct ReplicaState {
   std::uint64_t version;
   ItemId largest_id;             ///< the largest id that the world had seen
   std::size_t new_vertex_limit;  ///< of the world now
-  ItemsAtTick items;
 };
 
 /// The scratch of World::Impl::follow(): the shapes of one item in the world and in the replica, and the memory of
@@ -109,12 +108,12 @@ class SnapshotPool {
   void note_changed(ItemId id, std::uint64_t version) { changed_.add(id, version); }
 
   /// If the pool has a replica with readers that has this state, adds a handle to it and returns it. Otherwise returns
-  /// null. Does not read `state.items`.
+  /// null.
   [[nodiscard]] detail::Replica* add_handle_of(const ReplicaState& state) const;
-  /// Returns a free replica that can follow the world to this state and serves such states. Returns null if there is
-  /// none, or if a copy of the world would cost less. Of several such replicas, returns the one whose version is
-  /// nearest to that of the state.
-  [[nodiscard]] detail::Replica* find_free(const ReplicaState& state);
+  /// Returns a free replica that can follow the world to this state and serves such states. `items` are the items of
+  /// the state. Returns null if there is no such replica, or if a copy of the world would cost less. Of several such
+  /// replicas, returns the one whose version is nearest to that of the state.
+  [[nodiscard]] detail::Replica* find_free(const ReplicaState& state, const ItemsAtTick& items);
   /// Returns the items in which the replica that find_free() has returned may differ from the state. No item occurs
   /// twice.
   [[nodiscard]] const std::vector<ItemId>& changed() const { return ids_; }
@@ -145,9 +144,11 @@ class SnapshotPool {
 
   using Replicas = std::vector<detail::Replica*>;
 
-  /// Extends the record of changes, so that a replica of this state can follow the world later. Does nothing if too
-  /// many items have changed since this state.
-  void extend_record(const ReplicaState& state);
+  /// Extends the record of changes, so that a replica with these items can follow the world later. `version` is its
+  /// version. Does nothing if too many items have changed since this version.
+  void extend_record(std::uint64_t version, const ItemsAtTick& items);
+  /// Adds the items that have changed since the tick to `ids_`.
+  void add_changed(const ItemsAtTick& items);
   /// Returns the oldest of the replicas for which `matches(replica)` is true, or the end of the list.
   template <class Matches>
   [[nodiscard]] Replicas::iterator find_oldest(Matches&& matches);

@@ -115,17 +115,21 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   /// Brings back the items of a tick as one operation. `from` is the history of this world, or of the world of which it
   /// is a copy. Requires: the history has the tick.
   void bring_back(History& from, History::Tick tick);
-  /// Returns a replica that has the state, and adds a handle to it.
-  [[nodiscard]] detail::Replica* publish(const ReplicaState& state);
-  /// Gives this world a state of `other`. `changed` are the items that may differ. If memory runs out, some of these
-  /// items may already be as in this state, and the version may be that of this state. The caller can then call the
-  /// function again, with this state or another one. Returns true if it has succeeded. If the result is false, a state
-  /// between the changes would have too many vertices, and this world must not be used any more. Requires: this world
-  /// is a replica of `other`, and nobody reads it.
-  [[nodiscard]] bool follow(const Impl& other, const ReplicaState& state, std::span<const ItemId> changed,
-                            ReplicaScratch& scratch);
-  /// Gives one item the shape that it has in a state. Returns false if the mesh would have more than `most_vertices`.
-  [[nodiscard]] bool follow_item(const ReplicaState& state, ItemId id, std::size_t most_vertices,
+  /// If a replica with readers has this state, adds a handle to it and returns it. Otherwise returns null.
+  [[nodiscard]] detail::Replica* share(const ReplicaState& state);
+  /// Returns a replica that had no readers, with this state and one handle. `items` are the items of the state.
+  /// Requires: share() has returned null.
+  [[nodiscard]] detail::Replica* publish(const ReplicaState& state, const ItemsAtTick& items);
+  /// Gives this world a state of `other`, with these items. `changed` are the items that may differ. If memory runs
+  /// out, some of these items may already be as in this state, and the version may be that of this state. The caller
+  /// can then call the function again, with this state or another one. Returns true if it has succeeded. If the result
+  /// is false, a state between the changes would have too many vertices, and this world must not be used any more.
+  /// Requires: this world is a replica of `other`, and nobody reads it.
+  [[nodiscard]] bool follow(const Impl& other, const ReplicaState& state, const ItemsAtTick& items,
+                            std::span<const ItemId> changed, ReplicaScratch& scratch);
+  /// Gives one item the shape that it has in `items`, or removes it. Returns false if the mesh would have more than
+  /// `most_vertices`.
+  [[nodiscard]] bool follow_item(const ItemsAtTick& items, ItemId id, std::size_t most_vertices,
                                  ReplicaScratch& scratch);
   /// Gives this replica a version of `other`, and the changed boxes up to this version. Allocates nothing. Requires:
   /// the requirements of ChangeLog::follow().

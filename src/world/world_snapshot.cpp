@@ -36,10 +36,9 @@ WAYWRIGHT_NO_INLINE void commit(Operation& operation) {
 
 }  // namespace
 
-bool World::Impl::follow_item(const ReplicaState& state, ItemId id, std::size_t most_vertices,
-                              ReplicaScratch& scratch) {
+bool World::Impl::follow_item(const ItemsAtTick& items, ItemId id, std::size_t most_vertices, ReplicaScratch& scratch) {
   const bool is_here = triangulation.items().contains(id);
-  const bool is_there = state.items.find(id, scratch.in_world);
+  const bool is_there = items.find(id, scratch.in_world);
   if (!is_here && !is_there) return true;
   if (is_here) fill_shape(triangulation, id, scratch.in_replica);
   if (is_here && is_there && scratch.in_replica == scratch.in_world) return true;
@@ -57,8 +56,8 @@ void World::Impl::set_version(const Impl& other, std::uint64_t version) {
 
 // One operation for each item: it removes the old shape and inserts the new one while the memory of this place is in
 // the cache. One operation for all items takes 5 to 10 % longer if they are far from each other.
-bool World::Impl::follow(const Impl& other, const ReplicaState& state, std::span<const ItemId> changed,
-                         ReplicaScratch& scratch) {
+bool World::Impl::follow(const Impl& other, const ReplicaState& state, const ItemsAtTick& items,
+                         std::span<const ItemId> changed, ReplicaScratch& scratch) {
   change_log.reserve_to_follow(other.change_log);
   if (touch_log.use_count() > 1) {
     // A search in an earlier snapshot refers to the log.
@@ -78,7 +77,7 @@ bool World::Impl::follow(const Impl& other, const ReplicaState& state, std::span
       const std::size_t count = std::min(changed.size() - i, ReplicaPrefetch::kItems);
       scratch.prefetch.run(triangulation, other.triangulation, kept_abstraction(), changed.subspan(i, count));
     }
-    if (!follow_item(state, changed[i], most_vertices, scratch)) return false;
+    if (!follow_item(items, changed[i], most_vertices, scratch)) return false;
   }
   // Nothing can fail from here on.
   set_version(other, state.version);
@@ -87,9 +86,15 @@ bool World::Impl::follow(const Impl& other, const ReplicaState& state, std::span
   return true;
 }
 
-detail::Replica* World::Impl::publish(const ReplicaState& state) {
-  detail::Replica* replica = snapshots->find_free(state);
-  if (replica != nullptr && !replica->world.impl_->follow(*this, state, snapshots->changed(), snapshots->scratch())) {
+detail::Replica* World::Impl::share(const ReplicaState& state) {
+  if (!snapshots) snapshots = std::make_unique<SnapshotPool>(version());
+  return snapshots->add_handle_of(state);
+}
+
+detail::Replica* World::Impl::publish(const ReplicaState& state, const ItemsAtTick& items) {
+  detail::Replica* replica = snapshots->find_free(state, items);
+  if (replica != nullptr &&
+      !replica->world.impl_->follow(*this, state, items, snapshots->changed(), snapshots->scratch())) {
     snapshots->drop(replica);
     replica = nullptr;
   }
@@ -110,11 +115,9 @@ detail::Replica* World::Impl::publish(const ReplicaState& state) {
 WorldSnapshot World::publish() {
   WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
-  const ReplicaState now{std::nullopt, version(), largest_id_seen(), new_vertex_limit(),
-                         ItemsAtTick(impl_->triangulation)};
-  if (!impl_->snapshots) impl_->snapshots = std::make_unique<SnapshotPool>(version());
-  if (detail::Replica* const same = impl_->snapshots->add_handle_of(now)) return WorldSnapshot(same);
-  return WorldSnapshot(impl_->publish(now));
+  const ReplicaState now{std::nullopt, version(), largest_id_seen(), new_vertex_limit()};
+  if (detail::Replica* const shared = impl_->share(now)) return WorldSnapshot(shared);
+  return WorldSnapshot(impl_->publish(now, ItemsAtTick(impl_->triangulation)));
 }
 
 Result<WorldSnapshot> World::publish(std::uint64_t tick) {
@@ -122,14 +125,10 @@ Result<WorldSnapshot> World::publish(std::uint64_t tick) {
   const base::FloatEnvironment environment;
   History& history = impl_->history;
   if (auto error = history.find_error(tick)) return *std::move(error);
-  // add_handle_of() does not read the items.
-  const ReplicaState wanted{tick, history.version(tick), history.largest_id(tick), new_vertex_limit(),
-                            ItemsAtTick(impl_->triangulation)};
-  if (!impl_->snapshots) impl_->snapshots = std::make_unique<SnapshotPool>(version());
-  if (detail::Replica* const same = impl_->snapshots->add_handle_of(wanted)) return WorldSnapshot(same);
+  const ReplicaState then{tick, history.version(tick), history.largest_id(tick), new_vertex_limit()};
+  if (detail::Replica* const shared = impl_->share(then)) return WorldSnapshot(shared);
   const std::vector<History::ChangedItem> changed = history.changed_since(tick);
-  const ItemsAtTick items(impl_->triangulation, history, changed);
-  return WorldSnapshot(impl_->publish({tick, wanted.version, wanted.largest_id, wanted.new_vertex_limit, items}));
+  return WorldSnapshot(impl_->publish(then, ItemsAtTick(impl_->triangulation, history, changed)));
 }
 
 WorldSnapshot::WorldSnapshot(const WorldSnapshot& other) noexcept : replica_(other.replica_) {
