@@ -253,9 +253,9 @@ class WAYWRIGHT_API World {
   /// Returns an immutable world with the current state of this world. Other threads can query it while this world
   /// changes. WorldSnapshot describes the replicas. If memory runs out, nothing changes.
   /// Requires: no question of attempt() is running on this world.
-  /// Cost: the function takes the newest replica that no reader holds. For each item that has changed since the version
-  /// of this replica, it makes at most one removal and one insertion. If readers hold all replicas, or if more items
-  /// have changed than 64 plus a 32nd of all items, it costs as much as clone().
+  /// Cost: the function takes the newest replica for the present that no reader holds. For each item that has changed
+  /// since the version of this replica, it makes at most one removal and one insertion. If there is no such replica, or
+  /// if more items have changed than 64 plus a 32nd of all items, it costs as much as clone().
   [[nodiscard]] WorldSnapshot publish();
   /// Returns an immutable world with the state of this world at a tick (mark()). This world does not change.
   /// WorldSnapshot has an example. If memory runs out, nothing changes.
