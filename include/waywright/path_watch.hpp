@@ -67,7 +67,7 @@ struct PathChanges {
 class WAYWRIGHT_API PathWatch {
  public:
   /// Makes a watch without paths for a world.
-  /// Requires: no question of World::attempt() is running on the world.
+  /// Requires: World::attempt() is not asking a question about the world.
   /// Cost: O(1).
   explicit PathWatch(const World& world);
   ~PathWatch();
@@ -103,7 +103,7 @@ class WAYWRIGHT_API PathWatch {
   /// for each path of a point agent, and lists each path of a disc in PathChanges::may_be_blocked and each path in
   /// PathChanges::may_be_too_long, without a test.
   /// Requires: `world` is the world for which the watch was made, this world after a move, or a snapshot of it
-  /// (WorldSnapshot). No question of World::attempt() is running on it.
+  /// (WorldSnapshot). World::attempt() is not asking a question about it.
   /// Cost: for each box of the operations since the last update (ChangedBox), a search in a tree; for the pieces of
   /// paths that come near to a box, the cost of World::is_clear(); the answer; and one step for each 64 paths of the
   /// watch. The watch calls World::is_clear() for a whole path in these cases: a piece near a box runs along a wall, or

@@ -42,7 +42,7 @@ class WAYWRIGHT_API ReplayWriter {
   /// Starts a log: writes the domain and the items that `world` contains now. Writes a hash at each tick whose number
   /// is a multiple of `ticks_per_hash`. The stream must exist as long as this object.
   /// If the stream refuses the bytes, the next call of record() or tick() returns unwritable.
-  /// Requires: `ticks_per_hash` is 1 or more, and no question of World::attempt() is running on the world.
+  /// Requires: `ticks_per_hash` is 1 or more, and World::attempt() is not asking a question about the world.
   /// Cost: O(n log n) in the number n of items of the world, and linear in their points.
   ReplayWriter(std::ostream& out, const World& world, std::uint64_t ticks_per_hash = 1);
 
@@ -60,7 +60,7 @@ class WAYWRIGHT_API ReplayWriter {
 
   /// Ends a tick. Ticks count from 1. If the function writes a hash at this tick, it also flushes the stream, so that
   /// the log is complete up to this tick even if the program crashes later.
-  /// Requires: no question of World::attempt() is running on the world.
+  /// Requires: World::attempt() is not asking a question about the world.
   /// Errors: unwritable.
   /// Cost: O(1).
   Result<void> tick(const World& world);

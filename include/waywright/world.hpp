@@ -80,7 +80,7 @@ class WAYWRIGHT_API World {
   /// and history. It chooses the same ids for later items and gives the same answers. Its memory has no spare capacity.
   /// The searches (PathSearch) of this world do not belong to the copy. The copy keeps no context for queries yet. If
   /// memory runs out, this world does not change.
-  /// Requires: no question of attempt() is running on this world.
+  /// Requires: attempt() is not asking a question about this world.
   /// Cost: a copy of memory().total() bytes at most. The function computes no geometry.
   [[nodiscard]] World clone() const;
 
@@ -252,14 +252,14 @@ class WAYWRIGHT_API World {
 
   /// Returns an immutable world with the current state of this world. Other threads can query it while this world
   /// changes. WorldSnapshot describes the replicas. If memory runs out, nothing changes.
-  /// Requires: no question of attempt() is running on this world.
+  /// Requires: attempt() is not asking a question about this world.
   /// Cost: the function takes the newest replica for the present that no reader holds. For each item that has changed
   /// since the version of this replica, it makes at most one removal and one insertion. If there is no such replica, or
   /// if more items have changed than 64 plus a 32nd of all items, it costs as much as clone().
   [[nodiscard]] WorldSnapshot publish();
   /// Returns an immutable world with the state of this world at a tick (mark()). This world does not change.
   /// WorldSnapshot has an example. If memory runs out, nothing changes.
-  /// Requires: no question of attempt() is running on this world.
+  /// Requires: attempt() is not asking a question about this world.
   /// Errors: the errors of rewind().
   /// Cost: n log n in the changes since the tick. The function takes a replica that has served a tick before. For each
   /// item that has changed since the tick, or since the version of the replica, it makes a comparison and, if the item

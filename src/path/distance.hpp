@@ -23,7 +23,7 @@ inline constexpr double kNoLength = 0x1p-900;
 
 /// Returns `q` if it does not lie to the right of the line through `a` along `edge`, or if `edge` has no direction.
 /// Otherwise returns the mirror image of `q` on the left of the line.
-[[nodiscard]] inline Point on_left(const Point& a, const Point& edge, const Point& q) {
+[[nodiscard]] inline Point reflect_to_left(const Point& a, const Point& edge, const Point& q) {
   const double doubled_area = cross(edge, {q.x - a.x, q.y - a.y});
   if (!(doubled_area < 0.0)) return q;
   const double squared_length = edge.x * edge.x + edge.y * edge.y;
@@ -63,7 +63,7 @@ inline constexpr double kNoLength = 0x1p-900;
 [[nodiscard]] inline double distance_via_segment(const Point& p, const Point& a, const Point& b, const Point& q) {
   const Point edge{b.x - a.x, b.y - a.y};
   const bool is_right = cross(edge, {p.x - a.x, p.y - a.y}) < 0.0;
-  const Point image = is_right ? on_left(a, edge, q) : on_left(b, {-edge.x, -edge.y}, q);
+  const Point image = is_right ? reflect_to_left(a, edge, q) : reflect_to_left(b, {-edge.x, -edge.y}, q);
   const Point direction{image.x - p.x, image.y - p.y};
   const double a_turn = cross(direction, {a.x - p.x, a.y - p.y});
   const double b_turn = cross(direction, {b.x - p.x, b.y - p.y});

@@ -80,7 +80,7 @@ double Optimal::bound(const Node& window, const Point& left, const Point& right)
   const Point edge{b.x - a.x, b.y - a.y};
   const double length = roots_[window.left_root].length;
   const bool has_one_goal = goals_.size() == 1;
-  const Point q = has_one_goal ? on_left(a, edge, goals_.front().point) : foot(p, a, edge);
+  const Point q = has_one_goal ? reflect_to_left(a, edge, goals_.front().point) : foot(p, a, edge);
   const Point to_q{q.x - p.x, q.y - p.y};
   const bool passes_left = cross(left, to_q) > 0.0;
   if (!passes_left && !(cross(right, to_q) < 0.0)) return length + distance(p, q);
@@ -99,7 +99,7 @@ double Optimal::bound_of_bundle(const Node& window, const Point& left, const Poi
   const Point edge = b - a;
   const Root& first = roots_[window.first_root()];
   if (goals_.size() != 1) return first.length + std::sqrt(squared_distance_to_segment(first.point, a, b));
-  const Point q = on_left(a, edge, goals_.front().point);
+  const Point q = reflect_to_left(a, edge, goals_.front().point);
   const bool passes_left = cross(left, q - roots_[window.left_root].point) > 0.0;
   if (passes_left || cross(right, q - roots_[window.right_root].point) < 0.0) {
     const Root& root = roots_[passes_left ? window.left_root : window.right_root];
