@@ -109,8 +109,8 @@ enum {
   WW_NOT_SUPPORTED = 13,     /* a request that this version, this build or this world does not support */
   WW_NO_BRIDGES = 14,        /* a query that needs bridges, of a world that does not keep them */
   WW_NO_HISTORY = 15,        /* a mark, a rewind or a snapshot of a tick, of a world without history */
-  WW_OLD_TICK = 16,          /* a tick that the history of a world no longer contains */
-  WW_UNKNOWN_TICK = 17,      /* a tick that no mark of a world has */
+  WW_OLD_TICK = 16,          /* a tick that the history of a world contained, but no longer contains */
+  WW_UNKNOWN_TICK = 17,      /* a tick that ww_world_mark has not returned, or that a rewind has dropped */
   WW_UNREADABLE = 18,        /* a file or an input that cannot be opened or read */
   WW_MALFORMED = 19,         /* text or bytes that do not follow their format */
   WW_UNWRITABLE = 20,        /* a file or an output that cannot be written */
@@ -350,7 +350,8 @@ WW_API ww_status ww_world_replace(ww_world* world, ww_id id, const ww_shape* sha
 /* ---------------------------------------------------------------------------------------------------------------------
    Changing many items at once */
 
-/* A job of the library: job(job_data, i) does number i of the work. It does not fail. */
+/* A job of the library. The library divides its work into parts with the indices 0, 1, 2, ... The call job(job_data, i)
+   does the part with the index i. It does not fail. */
 typedef void (*ww_job)(void* job_data, size_t index);
 
 /* The threads of your program. Without a job system, the library starts threads itself. */
@@ -428,16 +429,17 @@ WW_API ww_status ww_world_rewind(ww_world* world, uint64_t tick);
 typedef ww_status (*ww_question)(const ww_world* changed, void* user_data);
 /* Makes changes, asks a question about the changed world, and takes the changes back. Afterwards the world is as
    before, bit for bit; only its spare memory may be larger. The question writes its answer to user_data. The function
-   returns what the question returned. (If this is a status that no function of the library gave to the question,
-   ww_last_error() does not change.) It asks no question if the world refuses a change.
+   returns the status that the question returned, but does not store it as the last error. So if the question has chosen
+   this status itself, ww_last_error() still gives the error of an earlier call. The function asks no question if the
+   world refuses a change.
    Errors: the errors of ww_world_apply, and the errors that the question returns.
    Threads: the whole call, with the question, is a change of the world. */
 WW_API ww_status ww_world_attempt(ww_world* world, const ww_change* changes, size_t change_count, ww_question question,
                                   void* user_data);
 /* Finds out whether changes would enclose an agent. The answer is 1 in two cases: the agent can move from one of the
    points to another now, but not after the changes; or one of the points is not blocked now, but is blocked after the
-   changes. Points that are blocked or not connected now do not matter. The function makes no change. It is exact and
-   moves no point.
+   changes. Points that are blocked or not connected now do not matter. The function makes no change. The decision is
+   exact. ww_world_find_path may move a blocked point to a free position, but this function takes each point as it is.
    Errors: the errors of ww_world_apply; WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN, WW_BAD_RADIUS; WW_NOT_SUPPORTED, if the
    radius is 0 and the world does not keep its abstraction; WW_NO_BRIDGES, if the radius is above 0 and the world does
    not keep its bridges. ww_error.index is the index of the refused point or change.
@@ -555,10 +557,12 @@ typedef struct ww_nearest_fit_query {
   double limit;  /* infinity by default: the largest distance of the answer from `point` */
 } ww_nearest_fit_query;
 
+/* The answer of ww_world_nearest_fit: the nearest point to query->point where the disc fits and, if the query has a
+   goal, from which the disc can move to the goal. */
 typedef struct ww_nearest_fit {
   uint32_t struct_size;
-  ww_bool is_found; /* whether there is such a point; if not, the other members are 0 */
-  ww_point at;      /* where it fits, exactly as ww_world_fit_disc says */
+  ww_bool is_found; /* whether there is an answer within the limit; if not, the other members are 0 */
+  ww_point at;      /* the answer; that the disc fits there is an exact decision, as in ww_world_fit_disc */
   double distance;  /* the distance from query->point to `at` */
 } ww_nearest_fit;
 
@@ -566,7 +570,8 @@ typedef struct ww_nearest_fit {
 WW_API ww_status ww_nearest_fit_query_init(ww_nearest_fit_query* query, size_t struct_size);
 /* Finds, among all points where a disc fits, the nearest one to query->point. The C++ header clearance.hpp says how
    precise the distance is. Of several equally near points that the search finds, the first in (x, y) order is the
-   answer; along an arc around a vertex, the search finds one point, and rounding errors decide which one it is.
+   answer. (If query->point lies at a vertex, all positions of an arc around this vertex are equally near. The search
+   finds one of them, and rounding errors decide which one it is.)
    ww_error.index is 0 for the point and 1 for the goal. Further errors: WW_BAD_DISTANCE, if the limit is negative or
    not a number; with a goal, WW_NO_BRIDGES if the radius is above 0 and the world does not keep its bridges, and
    WW_NOT_SUPPORTED if the radius is 0 and the world does not keep its abstraction. */
@@ -697,7 +702,7 @@ typedef struct ww_path_info {
   double length;       /* 0 if there is no path */
   double lower_bound;  /* no path is shorter; equals `length` if the path is proven shortest; 0 if there is no path */
   double radius;       /* as in the query */
-  uint64_t expansions; /* the triangles that the search entered; with a radius above 0, the steps of the search */
+  uint64_t expansions; /* the triangles that the search entered; if radius > 0, also the straight lines it examined */
   int64_t nanoseconds; /* the time of the search; 0 unless ww_path_query.wants_time */
   size_t point_count;
   size_t piece_count;
@@ -790,7 +795,8 @@ WW_API ww_status ww_path_polyline(const ww_path* path, double tolerance, ww_poin
    search is running. */
 WW_API ww_status ww_search_begin(ww_search* search, const ww_world* world, const ww_path_query* query);
 /* Continues the search until it has entered `expansions` further triangles, or a few more. For a radius above 0,
-   `expansions` is a number of steps. Sets *is_done to 1 if the search is done, or if no search is running.
+   `expansions` also counts the straight lines that the search examines, as ww_path_info.expansions does. Sets *is_done
+   to 1 if the search is done, or if no search is running.
    Errors: WW_WORLD_GONE, if the world was destroyed. This error, and WW_OUT_OF_MEMORY, cancel the search. */
 WW_API ww_status ww_search_step(ww_search* search, size_t expansions, ww_bool* is_done);
 /* Sets *path to the answer, or to the best path so far. The status of the path is WW_PATH_NO_PATH as long as the search
@@ -802,8 +808,9 @@ WW_API ww_status ww_search_restarts(const ww_search* search, size_t* restarts);
    default. */
 WW_API ww_status ww_search_record_windows(ww_search* search, ww_bool wanted);
 
-/* A window that a search has followed: the piece of an edge that is visible from its root. The coordinates are rounded:
-   use them only for pictures. */
+/* A window: the piece of an edge of the mesh that is visible from one point, the root of the window. The root is the
+   start of the path or a turn of the path. To follow a window, the search enters a triangle of this edge. The
+   coordinates are rounded: use them only for pictures. */
 typedef struct ww_search_window {
   ww_point root;      /* the last turn of the path, or its start */
   ww_portal edge;     /* the whole edge; left and right as seen from the root */
@@ -953,7 +960,8 @@ typedef struct ww_constrained_edge {
 WW_API ww_status ww_world_vertex_count(const ww_world* world, size_t* vertex_count);
 /* Gives the number of triangles of the mesh. */
 WW_API ww_status ww_world_triangle_count(const ww_world* world, size_t* triangle_count);
-/* Sets `mesh` to a copy of the mesh in canonical order: vertices by (x, y), triangles and edges by their indices. */
+/* Copies the mesh as lists. (ww_world_publish, not this function, makes an immutable world for other threads.) Sets
+   `mesh` to a copy of the mesh in canonical order: vertices by (x, y), triangles and edges by their indices. */
 WW_API ww_status ww_world_snapshot(const ww_world* world, ww_context* context, ww_mesh* mesh);
 /* Writes the vertices, rounded to nearest. */
 WW_API ww_status ww_mesh_vertices(const ww_mesh* mesh, ww_point* vertices, size_t capacity, size_t* count);
@@ -987,7 +995,7 @@ typedef struct ww_memory_use {
   size_t faces;       /* for each triangle: its vertices and neighbours */
   size_t walls;       /* for each constrained edge: the sides that lie on it */
   size_t items;       /* ids, kinds and sides of the items */
-  size_t sectors;     /* for point location */
+  size_t sectors;     /* squares of a grid, each with a vertex at which the walks of point location start */
   size_t abstraction; /* the path abstraction */
   size_t bridges;     /* the bridges */
   size_t history;     /* the ticks to which the world can return */
@@ -1266,12 +1274,14 @@ WW_API ww_status ww_find_difference(const ww_script* log, const ww_script* other
 typedef int32_t ww_svg_theme;
 enum { WW_SVG_AUTOMATIC = 0, WW_SVG_LIGHT = 1, WW_SVG_DARK = 2 };
 
+/* The options of a picture. The part of the picture that shows the world is the map. The title, the axes and the legend
+   lie around the map. */
 typedef struct ww_svg_options {
   uint32_t struct_size;
   ww_svg_theme theme; /* WW_SVG_AUTOMATIC by default */
   double width;       /* in pixels, 240 to 100,000; 1200 by default; the height follows from the content */
-  ww_bool mesh;       /* 1 by default: draw the free edges */
-  ww_bool axes;       /* 1 by default: draw ticks with coordinates, a scale bar, and the direction of y */
+  ww_bool mesh;       /* 1 by default: draw the edges of the mesh that are not constrained */
+  ww_bool axes;       /* 1 by default: draw marks with coordinates on the axes, a scale bar, and the direction of y */
   ww_bool ids;        /* 1 by default: show the kind and the id of an item while the pointer is on it */
   ww_bool y_down;     /* 0 by default: whether the y axis of the world points down */
   ww_bool has_crop;   /* 0 by default: the picture shows the domain */
@@ -1284,7 +1294,7 @@ typedef struct ww_svg_frame {
   uint32_t struct_size;
   ww_bool y_down;
   ww_box shown; /* what the picture shows, in the coordinates of the world */
-  ww_box map;   /* the box of the map in the picture, in pixels */
+  ww_box map;   /* the box of the map in the coordinates of the picture, that is, in pixels */
   double scale; /* the pixels of one unit of length */
 } ww_svg_frame;
 

@@ -65,7 +65,8 @@ struct NearestFitQuery {
 /// answer can lie up to about a millionth of the radius farther away than the nearest of these points. If the disc fits
 /// only at a single position, or only along a line between two walls, there is an answer only if doubles can express a
 /// position there. Of several equally near points that the search finds, the first in (x, y) order is the answer.
-/// (Along an arc around a vertex, the search finds one point; rounding errors decide which one it is.)
+/// (If the point of the query lies at a vertex, all positions of an arc around this vertex are equally near. The search
+/// finds one of them, and rounding errors decide which one it is.)
 struct NearestFit {
   /// Whether there is an answer: a point within the limit where the disc fits and, if the query has a goal, from which
   /// the disc can move to the goal. If the member is false, all other members are zero.

@@ -43,10 +43,10 @@
 #endif
 
 /// @def WAYWRIGHT_INLINE
-/// Marks an inline function of a public header that rounds more than once. The compiler inlines each call of the
-/// function. Without the mark, a program and the library would each contain a compiled copy of the function, and the
-/// linker would keep only one of them. If it kept the copy of the program, which is compiled with the program's
-/// floating-point options, the library's answers could change.
+/// Marks an inline function of a public header that carries out several floating-point operations, each of which rounds
+/// its result. The compiler inlines each call of the function. Without the mark, a program and the library would each
+/// contain a compiled copy of the function, and the linker would keep only one of them. If it kept the copy of the
+/// program, which is compiled with the program's floating-point options, the library's answers could change.
 #if defined(__GNUC__)
 #define WAYWRIGHT_INLINE __attribute__((always_inline)) inline
 #elif defined(_MSC_VER)

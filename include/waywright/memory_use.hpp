@@ -18,8 +18,9 @@ namespace waywright {
 ///
 /// The numbers do not include the overhead of the allocator. They do not include the context of the world, either: the
 /// world makes this context at the first query that needs one and gets none, and keeps it. Like every QueryContext, it
-/// takes 4 to 16 bytes per triangle for each path algorithm that has used it, and up to 100 more for discs. Nor do they
-/// include the snapshots that readers hold (WorldSnapshot).
+/// takes 4 to 16 bytes per triangle for each path algorithm that has used it. Path queries with a radius above 0 add up
+/// to 100 bytes per triangle, all algorithms together. Nor do the numbers include the snapshots that readers hold
+/// (WorldSnapshot).
 ///
 /// World::shrink_to_fit() does not free the slots of removed items, which later items will use. So if you have removed
 /// most items and want a smaller world, make a new world and insert the World::items() of the old world.

@@ -26,7 +26,7 @@ namespace waywright {
 enum class PathAlgorithm : std::uint8_t {
   ta,       ///< a first path, and a better one with a PathBudget: triangulation A* (Demyen and Buro 2006)
   tra,      ///< a good path in very little time, useful for crowds: triangulation reduction A* (Demyen and Buro 2006)
-  optimal,  ///< the shortest path: after Polyanya (Cui, Harabor and Grastien 2017)
+  optimal,  ///< the shortest path: a variant of the algorithm Polyanya (Cui, Harabor and Grastien 2017)
 };
 
 /// Returns the name of an algorithm in world scripts: `ta`, `tra`, `optimal`.
@@ -228,10 +228,10 @@ struct WAYWRIGHT_API Path {
   std::vector<Portal> channel;
   /// The number of triangles that the search entered. If the query has a radius above 0, the member also counts the
   /// straight lines to a next turn, or to the goal, that the search has examined. PathAlgorithm::tra counts only the
-  /// triangles at which it had a choice. For a disc, it also counts the triangles of long corridors at which the search
-  /// stopped for a while, because another triangle had a smaller bound. If the straight segment from the start to the
-  /// goal of a point agent meets no wall, and no vertex between its ends, the member is the number of edges that this
-  /// segment crosses.
+  /// triangles at which it had a choice. For a disc, `tra` can also pause in a long series of triangles without a
+  /// choice, if a path through other triangles seems to be shorter. Then the member also counts the triangle at which
+  /// the search continues later. If the straight segment from the start to the goal of a point agent meets no wall, and
+  /// no vertex between its ends, the member is the number of edges that this segment crosses.
   std::size_t expansions = 0;
   /// The time from the start of the search to its end. The time between the slices of a PathSearch counts, too. It is 0
   /// if PathQuery::wants_time is false.
@@ -260,11 +260,12 @@ struct WAYWRIGHT_API Path {
   /// The coordinates are doubles or floats, as `precision` says. With Precision::float32 the result can lie outside the
   /// domain, if the border of the domain has a coordinate that no `float` can express.
   ///
-  /// On the path of a disc, the function rounds to nearest. The distance from the position to all walls is at least the
-  /// radius, minus the rounding error: with Precision::float64 a few units in the last place of the largest coordinate
-  /// of the path or of the radius, with Precision::float32 one unit in the last place of the larger coordinate of the
-  /// position, as a `float`. So a disc that touches a wall may not fit exactly at the position, see World::fit_disc.
-  /// The heading has no jumps, because the lines touch the arcs.
+  /// On the path of a disc, the function rounds to nearest. A wall can be nearer to the position than the radius, by at
+  /// most the sum of two errors: the error of the path (PathQuery::radius), and the rounding error of the position.
+  /// With Precision::float64, the rounding error is a few units in the last place of the radius or of the largest
+  /// coordinate of the path, whichever is larger. With Precision::float32, it is at most the distance between two
+  /// neighbouring floats at the larger coordinate of the position. So a disc that touches a wall may not fit exactly at
+  /// the position, see World::fit_disc. The heading has no jumps, because the lines touch the arcs.
   /// Requires: the path has points or pieces.
   /// Cost: linear in the turns (for a disc, the pieces) before the position.
   [[nodiscard]] PathPosition at(double distance, Precision precision = Precision::float64) const;

@@ -30,12 +30,12 @@ class World;
 /// Between the slices a program may query the world, run other searches, move the world and change it. If a change
 /// touches the start, the goal, or a triangle at which the search has looked, the next slice starts the search again.
 /// The search also starts again if an operation changes so many triangles that the world does not record each of them,
-/// and in rare cases after an operation that failed. Otherwise it continues. In three cases it counts as a search that
-/// has looked at all triangles: it has moved an end; begin() has found the answer already, for example because the
-/// straight segment meets no wall, and no vertex between its ends; or its algorithm is PathAlgorithm::tra. While
-/// searches run, each operation on the world also records the triangles that it touches, and the triangles around their
-/// corners, at a cost proportional to the number of these triangles. If you move a search to another object, you may
-/// only assign to the first object or destroy it.
+/// and in rare cases after an operation that failed. Otherwise it continues. In three cases, a change that touches any
+/// triangle of the world makes the next slice start the search again: the search has moved an end; begin() has found
+/// the answer already, for example because the straight segment meets no wall, and no vertex between its ends; or the
+/// algorithm is PathAlgorithm::tra. While searches run, each operation on the world also records the triangles that it
+/// touches, and the triangles around their corners, at a cost proportional to the number of these triangles. If you
+/// move a search to another object, you may only assign to the first object or destroy it.
 ///
 /// If PathQuery::radius is above 0, every change of the world makes the next slice start the search again. So does a
 /// call of World::shrink_to_fit that frees the second mesh (WorldOptions::keep_bridges).

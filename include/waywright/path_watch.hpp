@@ -56,9 +56,10 @@ struct PathChanges {
 /// not found can make a path possible, because the next query moves this end to a free position
 /// (PathQuery::end_tolerance). A replacement counts as a removal and an insertion. A path that was not found counts as
 /// infinitely long: the watch reports it after each removal of a segment, polyline or polygon. If the search moved an
-/// end of the path, the ellipse is larger, and also contains the point at which the query wanted this end. The watch
-/// reports no path that would become shorter only because the search would move an end to another one of several
-/// positions that are equally near, up to rounding errors.
+/// end of the path, the ellipse is larger, and also contains the point at which the query wanted this end. If several
+/// positions to which a search could move the end are equally near to this point, up to rounding errors, the next
+/// search may choose another one of them, and its path may be shorter only for this reason. The watch does not report
+/// this case.
 ///
 /// The watch copies the paths. If you move a watch to another object, you may only assign to the first object or
 /// destroy it.

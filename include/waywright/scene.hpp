@@ -68,13 +68,14 @@ enum class SceneFormat : unsigned char {
 /// Cost: linear in the length of the text.
 [[nodiscard]] WAYWRIGHT_API Result<Scene> parse_movingai_map(std::string_view text, std::string_view name);
 
-/// Reads a `.poly` file of Triangle from text. The vertices that are no end of a segment become points, then the
-/// segments of the file become segments. Ids count from 1 in this order. If the vertex list of the file is empty, the
-/// vertices come from `node_text`, the text of the `.node` file of the same name. Ids in the file count up by 1 from 0
-/// or 1. The function reads and checks attributes, boundary markers, holes and regions, and then ignores them. The
-/// domain is the bounding box of the vertices, enlarged in each of the four directions by an eighth of its larger
-/// extent, but at least by 1. Each bound is then rounded outwards to a multiple of a power of two, so that it has few
-/// digits.
+/// Reads a `.poly` file of Triangle from text. The vertices that are no end of a segment become items of the kind
+/// point, then the segments of the file become items of the kind segment. The ids of these items count from 1 in this
+/// order. If the vertex list of the file is empty, the vertices come from `node_text`, the text of the `.node` file of
+/// the same name. In each list of the file (vertices, segments, holes, regions), the numbers of the entries must count
+/// up by 1 from 0 or 1. The function reads and checks attributes, boundary markers, holes and regions, and then ignores
+/// them. The domain is the bounding box of the vertices, enlarged in each of the four directions by an eighth of its
+/// larger extent, but at least by 1. Each bound is then rounded outwards to a multiple of a power of two, so that it
+/// has few digits.
 /// Errors: malformed, coordinate_range.
 /// Cost: linear in the length of the text.
 [[nodiscard]] WAYWRIGHT_API Result<Scene> parse_triangle_poly(std::string_view text, std::string_view name,

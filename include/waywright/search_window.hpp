@@ -12,11 +12,12 @@ namespace waywright {
 /// that is visible from its *root*, through the triangles that the search has crossed. The root is the start of the
 /// path, or a turn of the path.
 ///
-/// For each window, the search enters one triangle. If windows lie beside each other on one edge, and their roots
-/// follow each other on one path (the first root may be its start), the search may enter the triangle with all of them
-/// in one step. The windows of such a step follow each other in the list. Usually the triangle lies beyond the edge, as
-/// seen from the root. Directly after a turn, it lies between the root and the edge: the root is one of its vertices,
-/// and the edge is opposite to this vertex.
+/// For each window, the search enters one triangle. The windows of several roots can lie beside each other on one edge,
+/// if the roots are consecutive turns of one path, for example around the corners of a convex obstacle. (The first of
+/// these roots may be the start of the path.) The search may enter the triangle with all these windows in one step. The
+/// windows of such a step follow each other in the list. Usually the triangle lies beyond the edge, as seen from the
+/// root. Directly after a turn, it lies between the root and the edge: the root is one of its vertices, and the edge is
+/// opposite to this vertex.
 ///
 /// The coordinates are rounded: use them only for pictures. The search itself decides exactly, without these
 /// coordinates. The ends of the interval are the positions where two rays from the root meet the edge. If a ray is

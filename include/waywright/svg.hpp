@@ -24,7 +24,8 @@ enum class SvgTheme : std::uint8_t {
   dark,
 };
 
-/// The options of a picture of a world.
+/// The options of a picture of a world. The part of the picture that shows the world is the *map*. The title, the axes
+/// and the legend lie around the map.
 ///
 /// @code{.cpp}
 /// const SvgOptions options{.width = 800, .mesh = false, .crop = Box{{0, 0}, {50, 50}}, .title = "South-west"};
@@ -34,7 +35,7 @@ struct SvgOptions {
   /// The width of the picture in pixels, 240 to 100,000: a smaller or larger number counts as the nearer limit,
   /// and infinity and NaN count as 1200. The height follows from the content.
   double width = 1200.0;
-  bool mesh = true;  ///< draw the free edges
+  bool mesh = true;  ///< draw the edges of the mesh that are not constrained
   bool axes = true;  ///< draw marks with coordinates on the axes, a scale bar, and a sign that shows the direction of y
   bool ids = true;   ///< show the kind and the id of an item while the pointer is on it
   bool y_down = false;  ///< whether the y axis of the world points down
@@ -176,7 +177,7 @@ class WAYWRIGHT_API SvgFrame {
   [[nodiscard]] const Box& shown() const { return shown_; }
   /// Returns whether the y axis of the world points down in the picture.
   [[nodiscard]] bool y_down() const { return y_down_; }
-  /// Returns the box of the map in the picture; `min` is its upper left corner.
+  /// Returns the box of the map (see SvgOptions) in the coordinates of the picture. `min` is its upper left corner.
   [[nodiscard]] const Box& map() const { return map_; }
 
  private:

@@ -76,10 +76,9 @@ class WAYWRIGHT_API World {
   World& operator=(World&&) noexcept;
   ~World();
 
-  /// Returns a copy of the world: an independent world with the same domain, options, items, mesh, hashes, version()
-  /// and history. It chooses the same ids for later items and gives the same answers. Its memory has no spare capacity.
-  /// The searches (PathSearch) of this world do not belong to the copy. The copy keeps no context for queries yet. If
-  /// memory runs out, this world does not change.
+  /// Returns an independent copy of the world, with the same domain, options, items, mesh, hashes, version() and
+  /// history. It chooses the same ids for later items and gives the same answers. Its memory has no spare capacity. The
+  /// copy has no searches (PathSearch), and no context for queries yet. If memory runs out, this world does not change.
   /// Requires: attempt() is not asking a question about this world.
   /// Cost: a copy of memory().total() bytes at most. The function computes no geometry.
   [[nodiscard]] World clone() const;
@@ -141,7 +140,7 @@ class WAYWRIGHT_API World {
   /// especially if the world has no items yet. Error::index is the index of the refused item in `items`.
   /// Errors: the errors of insert().
   /// Cost: O(n log n), the triangles that the sides cross, and the bridges (WorldOptions::keep_bridges).
-  /// Source: Guibas and Stolfi 1985, Dwyer 1987 (for the corners of the first items of a world).
+  /// Source: Guibas and Stolfi 1985 and Dwyer 1987. The function uses their algorithm if the world has no items yet.
   Result<std::vector<ItemId>> insert_all(std::span<const Item> items, const BulkOptions& options = {});
 
   /// Inserts many points as one operation. The first point has the id `first`, and the id of each further point is one
@@ -210,8 +209,7 @@ class WAYWRIGHT_API World {
   /// continues afterwards as if there had been no attempt.
   /// Requires: the question calls no member of this world that is not const, and does not call clone(). It does not
   /// begin or continue a PathSearch, make or update a PathWatch, or use a ReplayWriter of this world.
-  /// Errors: the errors of apply(), and the errors that the question returns. Error::index is the index of the refused
-  /// change in `changes`.
+  /// Errors: the errors of apply() and of the question. Error::index is the index of the refused change in `changes`.
   /// Cost: as apply(), and the question. To take the changes back allocates nothing and costs less than apply().
   /// Threads: no other thread may call any member of this world before the call returns.
   template <class Question>
@@ -228,7 +226,8 @@ class WAYWRIGHT_API World {
 
   /// Returns whether changes would disconnect some of the points. This is true in two cases: the agent can move from
   /// one of the points to another now, but not after the changes; or one of the points is not blocked now, but is
-  /// blocked after the changes. The function makes no change. It is exact and moves no point.
+  /// blocked after the changes. The function makes no change. The decision is exact. find_path() may move a blocked
+  /// point to a free position, but this function takes each point as it is.
   ///
   /// With the radius 0, a point is blocked if polygons cover all triangles around it. A point agent can move from one
   /// point to another if find_path() finds a path with the PathQuery::end_tolerance 0. With a radius above 0, a point
@@ -236,10 +235,10 @@ class WAYWRIGHT_API World {
   /// that are wide enough. Points that are blocked now, and pairs that are not connected now, do not matter. Change has
   /// an example. Error::index is the index of the refused point in `points`, or of the refused change in `changes`.
   /// Errors: the errors of apply(); coordinate_range, out_of_domain, bad_radius; not_supported, if the radius is 0 and
-  /// the world does not keep its abstraction; no_bridges, if the radius is above 0 and the world does not keep its
-  /// bridges.
-  /// Cost: the cost of one attempt(), and two point locations for each point. With a radius above 0, also the gaps that
-  /// the disc can pass, and the number of points times the number of different areas in which they lie.
+  /// the world does not keep its abstraction; no_bridges, if it is above 0 and the world does not keep its bridges.
+  /// Cost: the cost of one attempt(), and two point locations for each point. With a radius above 0, also fit_disc()
+  /// for each point, and the walls and gaps that the disc can reach from the points. Points between which the disc can
+  /// move form a group: for each group, also all points, and the walls and gaps around them.
   [[nodiscard]] Result<bool> would_disconnect(std::span<const Change> changes, PointSpan points, double radius = 0.0);
   /// Does the same for one change: the insertion of a shape.
   [[nodiscard]] Result<bool> would_disconnect(const Shape& shape, PointSpan points, double radius = 0.0);
@@ -253,18 +252,18 @@ class WAYWRIGHT_API World {
   /// Returns an immutable world with the current state of this world. Other threads can query it while this world
   /// changes. WorldSnapshot describes the replicas. If memory runs out, nothing changes.
   /// Requires: attempt() is not asking a question about this world.
-  /// Cost: the function takes the newest replica for the present that no reader holds. For each item that has changed
-  /// since the version of this replica, it makes at most one removal and one insertion. If there is no such replica, or
-  /// if more items have changed than 64 plus a 32nd of all items, it costs as much as clone().
+  /// Cost: the function takes the newest replica that serves snapshots of the present and that no reader holds. For
+  /// each item that has changed since the version of this replica, it makes at most one removal and one insertion. If
+  /// there is no such replica, or if more than 64 + n / 32 items have changed, it costs as much as clone(). Here n is
+  /// the number of items that the world had when it made its last snapshot.
   [[nodiscard]] WorldSnapshot publish();
   /// Returns an immutable world with the state of this world at a tick (mark()). This world does not change.
   /// WorldSnapshot has an example. If memory runs out, nothing changes.
   /// Requires: attempt() is not asking a question about this world.
   /// Errors: the errors of rewind().
   /// Cost: n log n in the changes since the tick. The function takes a replica that has served a tick before. For each
-  /// item that has changed since the tick, or since the version of the replica, it makes a comparison and, if the item
-  /// differs, at most one removal and one insertion. If there is no such replica, it costs as much as clone() and
-  /// rewind().
+  /// item that has changed since the tick or the version of the replica, it makes a comparison and, if the item
+  /// differs, at most one removal and one insertion. Without such a replica, it costs as much as clone() and rewind().
   [[nodiscard]] Result<WorldSnapshot> publish(std::uint64_t tick);
 
   /// @}
@@ -408,9 +407,10 @@ class WAYWRIGHT_API World {
   /// (WorldOptions::keep_bridges); not_supported, if the query has a goal and the radius 0, and the world does not keep
   /// its abstraction.
   /// Cost: n log n in the walls that are not farther away than the answer's distance plus the radius, and for each of
-  /// them the triangles near the positions where the disc touches it. With a goal, also the walls and gaps around the
-  /// areas that two searches enter until they meet. Allocates nothing if `context` has been used for a query of the
-  /// same size before; if the radius is 0 and the point is blocked, exact arithmetic may allocate.
+  /// them the triangles near the positions where the disc touches it. With a goal and a radius above 0, the function
+  /// also searches from gap to gap, from the goal and from each possible answer, until the search from the goal meets
+  /// that from the answer. The cost includes the walls and gaps that they reach. Allocates nothing if `context` has
+  /// been used for such a query before; if the radius is 0 and the point is blocked, exact arithmetic may allocate.
   [[nodiscard]] Result<void> nearest_fit(const NearestFitQuery& query, QueryContext& context, NearestFit& fit) const;
   /// @copydoc nearest_fit(const NearestFitQuery&, QueryContext&, NearestFit&) const
   [[nodiscard]] Result<NearestFit> nearest_fit(const NearestFitQuery& query) const;
@@ -418,8 +418,9 @@ class WAYWRIGHT_API World {
   /// Finds the largest disc that can move from `start` to `goal`, and the gap that stops every larger disc. All
   /// comparisons are exact. The result does not say whether the disc fits at the two ends: fit_disc() says this.
   /// Errors: coordinate_range, out_of_domain; no_bridges, if the world does not keep its bridges.
-  /// Cost: n log n in the walls and gaps around the areas that two searches enter until they meet, through gaps at
-  /// least as wide as the answer. Allocates nothing if `context` and `widest` have been used for such a query before.
+  /// Cost: two searches, one from each end, move through gaps that are not narrower than the answer, until they meet.
+  /// The cost is n log n in the walls and gaps that they reach. Allocates nothing if `context` and `widest` have been
+  /// used for such a query before.
   [[nodiscard]] Result<void> widest_path(Point start, Point goal, QueryContext& context, WidestPath& widest) const;
   /// @copydoc widest_path(Point, Point, QueryContext&, WidestPath&) const
   [[nodiscard]] Result<WidestPath> widest_path(Point start, Point goal) const;
@@ -427,9 +428,8 @@ class WAYWRIGHT_API World {
   /// Lists the bridges, so that a program can draw or inspect them. The list contains a bridge if the straight line
   /// from Bridge::from to Bridge::to has a position in common with the closed box. The box may reach beyond the domain.
   /// Errors: coordinate_range; bad_domain, if min is beyond max; no_bridges, if the world does not keep its bridges.
-  /// Cost: the point location of a corner of the box, the triangles in which a position of the box or of a listed
-  /// bridge lies, and n log n in the listed bridges. Allocates nothing if `context` and `list` have been used for a
-  /// query of the same size before.
+  /// Cost: the point location of a corner of the box, the triangles that meet the box or a listed bridge, and n log n
+  /// in the listed bridges. Allocates nothing if `context` and `list` have been used for such a query before.
   [[nodiscard]] Result<void> bridges(const Box& box, QueryContext& context, BridgeList& list) const;
   /// @copydoc bridges(const Box&, QueryContext&, BridgeList&) const
   [[nodiscard]] Result<BridgeList> bridges(const Box& box) const;
@@ -516,8 +516,8 @@ class WAYWRIGHT_API World {
   /// is_affected() of Path::points. For a disc, the function returns whether the bounding box of an inserted or removed
   /// item comes so near to Path::pieces that the disc may touch the box: see ChangedBox. If the result is false and the
   /// path was valid for its radius at that version, it is still valid.
-  /// A path that is not affected may be longer than necessary if an operation has removed items. A path that was not
-  /// found is never affected: search again for it. Each box affects a found path without points and pieces.
+  /// After a removal, a path that is not affected may be longer than necessary. A path that was not found is never
+  /// affected: search again for it. If ManyGoalsQuery::wants_points was false, each box affects a found path.
   /// Cost: a few comparisons for each pair of a box and a piece. Allocates nothing.
   [[nodiscard]] bool is_affected(const Path& path, std::uint64_t since) const;
   /// Replaces the content of `affected` by the indices of the paths for which is_affected() is true, ascending.

@@ -54,22 +54,22 @@ inline constexpr char kEmptySnapshot[] =
 /// world is a *replica*: a copy of the original world. When the readers have released all handles of a replica, a later
 /// call uses it again: the call repeats the later changes of the world in this replica, or goes back to a tick. The
 /// world keeps the replicas that no reader holds, for later snapshots. A replica serves either snapshots of the present
-/// or snapshots of ticks. If the world keeps more than two such replicas of one kind, each call of World::publish()
-/// attaches one of them, which the world needs no longer, to the new snapshot: when a thread releases the last handle
-/// of the snapshot, this thread also frees the attached replica. So publish() itself need not spend time on this.
-/// Suppose that the readers release each snapshot when the next one exists. Then the third call uses the replica of the
-/// first snapshot again and repeats the changes since the first call, the fourth call uses the replica of the second
-/// snapshot, and so on. The first call makes a replica, because there is none yet. Later, a call makes one if readers
-/// hold all replicas, or if no free replica can be updated, for example because too many items have changed (see
-/// World::publish). After the first call, each operation also records the ids of the items that it changes, 16 bytes
-/// for each. Each snapshot that readers hold takes as much memory as a clone(). If a replica is attached to it, this
-/// replica takes the same memory once more. World::shrink_to_fit() frees the replicas that the world keeps for later
-/// snapshots.
+/// or snapshots of ticks. Of each of these two kinds, the world needs at most two replicas that no reader holds. If it
+/// has more, each call of World::publish() gives up one of them. To free a replica takes time. So publish() does not
+/// free it, but attaches it to the new snapshot: the thread that releases the last handle of this snapshot frees the
+/// attached replica. Suppose that the readers release each snapshot when the next one exists. Then the third call uses
+/// the replica of the first snapshot again and repeats the changes since the first call, the fourth call uses the
+/// replica of the second snapshot, and so on. The first call makes a replica, because there is none yet. Later, a call
+/// makes one if readers hold all replicas, or if no free replica can be updated, for example because too many items
+/// have changed (see World::publish). After the first call, each operation also records the ids of the items that it
+/// changes, 16 bytes for each. Each snapshot that readers hold takes as much memory as a clone(). If a replica is
+/// attached to it, this replica takes the same memory once more. World::shrink_to_fit() frees the replicas that the
+/// world keeps for later snapshots.
 ///
-/// When the last handle of an immutable world is released or destroyed, World::publish() may use its memory again. If
-/// the world does not keep this memory, or has been destroyed, the thread with the last handle frees it. A snapshot can
-/// exist longer than its world. Do not use a reference to the immutable world, or a PathSearch in it, after you have
-/// released the handle.
+/// When a thread has released or destroyed the last handle of an immutable world, the original world keeps the memory
+/// of the immutable world for a later call of World::publish(). If the original world no longer needs this memory, or
+/// has been destroyed before, the same thread frees it. A snapshot can exist longer than the original world. Do not use
+/// a reference to the immutable world, or a PathSearch in it, after you have released the handle.
 ///
 /// Threads: several threads may query one snapshot at once, each with its own QueryContext. Each handle belongs to one
 /// thread at a time, like a std::shared_ptr: give each thread a handle of its own. Threads may copy, release and

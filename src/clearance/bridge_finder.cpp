@@ -147,17 +147,18 @@ HalfEdge BridgeFinder::find_wall(HalfEdge corner) {
 /// 1. f is a x + b y with a, b > 0. Because D . x = x^2 and D . y = y^2, f^2 = a f . x + b f . y is less than D . f.
 ///    So D lies strictly beyond the line of the wall, and the segment from w to D meets this line at a position g
 ///    before D.
-/// 2. The line of all positions p with p . x = x^2 passes through x, the line with p . y = y^2 passes through y, and
-///    they meet at D. So f lies strictly inside C. The position g lies strictly inside C, too. So the triangle w f g,
-///    except for w, lies strictly inside C. It contains no other vertex: if a ray from w turned from f to g, the first
-///    vertex that it met would be visible from the face, but no visible vertex lies strictly inside the circle of a
-///    face.
+/// 2. The segment from w to D is a diameter of C. So C consists of the positions p with p^2 = D . p, and p lies
+///    strictly inside C if p^2 < D . p. By point 1, f lies strictly inside C. The position g lies strictly between w
+///    and D, so it lies strictly inside C, too. So the triangle w f g, except for w, lies strictly inside C. It
+///    contains no other vertex: if a ray from w turned from f to g, the first vertex that it met would be visible from
+///    the face, but no visible vertex lies strictly inside the circle of a face.
 /// 3. So g lies on the wall, too, and the segment from w to g crosses the same edges as the bridge. The function
 ///    follows the segment from w to D to the first wall.
 ///
-/// The function also stops at an edge that no bridge meets. Seen from w, f lies on each edge that the bridge meets, or
-/// beyond it. So D lies beyond the line through the edge. At each end of the edge, the angle between the edge and the
-/// direction to w is acute: otherwise f would not satisfy the inequality f . v < v^2 for this end.
+/// The function also stops at an edge that no bridge meets. If a bridge meets an edge, the segment from w to g meets
+/// this edge, too (point 3), and D lies beyond g (point 1). So D lies beyond the line through the edge. At each end v
+/// of the edge, the angle between the edge and the direction to w is acute. Otherwise f, which lies on the edge or
+/// beyond it, would not satisfy the inequality f . v < v^2.
 HalfEdge BridgeFinder::follow_diameter(HalfEdge corner) const {
   const Point from = position_of(mesh_.origin(corner));
   const auto vector_to = [&](Vertex v) { return Diameter::vector(position_of(v) - from, errors_); };

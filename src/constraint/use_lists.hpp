@@ -13,8 +13,8 @@ namespace waywright::constraint {
 /// by far the most common, is encoded in the number itself and takes no memory.
 using Uses = std::uint32_t;
 
-/// Stores lists of users, which are numbers below 2^31 - 1. The lists are unordered, and may contain a user more than
-/// once. An undo log records all changes; roll_back() returns to the last begin().
+/// Stores lists of users. A user is a number from 0 to kLargestUser. The lists are unordered, and may contain a user
+/// more than once. An undo log records all changes; roll_back() returns to the last begin().
 ///
 /// A longer list is a search tree by user. The hash of a user is its priority: no node has a child of higher priority.
 /// So the structure of a tree depends only on its users. Source: Seidel and Aragon, *Randomized search trees*,
@@ -23,6 +23,8 @@ using Uses = std::uint32_t;
 class UseLists {
  public:
   static constexpr Uses kNone = 0;
+  /// The largest number of a user. (The encoding also has room for the next number, 2^31 - 2, but not for 2^31 - 1: the
+  /// highest bit of single() must be 0, because this bit marks the lists that have nodes.)
   static constexpr std::uint32_t kLargestUser = 0x7ffffffd;
 
   /// Returns the list of one user. Allocates nothing.
@@ -45,7 +47,9 @@ class UseLists {
     return list == single(user);
   }
 
-  /// Whether the list has many users. Cost: O(1).
+  /// Returns true only if the list has five entries or more: a node at the root of the tree, two entries or more with
+  /// lower numbers, and two or more with higher numbers. For a list of n different users, n >= 5, the result is false
+  /// with a probability of about 4 / n. Cost: O(1).
   [[nodiscard]] bool has_many(Uses list) const {
     return is_node(list) && is_node(node_of(list).less) && is_node(node_of(list).greater);
   }

@@ -24,8 +24,10 @@ namespace waywright::delaunay {
 /// simple: a vertex at which an edge dangles into the polygon occurs several times on its border.
 ///
 /// The class inserts the vertices in random order, like LargeCavity. There are two differences:
-/// - To find the order, LargeCavity removes any vertex from the polygon. This class removes no vertex while both of its
-///   neighbours are farther from the segment than the vertex. So the polygon that is left is weakly simple, too.
+/// - InsertionOrder removes one vertex after the other from the polygon, and each of the two classes inserts the
+///   vertices in the reverse order. For LargeCavity, InsertionOrder may remove every vertex next. For this class, it
+///   removes no vertex while both of its neighbours are farther from the segment than the vertex. So the polygon that
+///   is left is weakly simple, too.
 /// - Consider a triangle behind an edge of the area that the new vertex has replaced so far. The new vertex also
 ///   replaces this triangle if the vertex and the edge would form a triangle that is not counter-clockwise.
 ///
@@ -93,8 +95,9 @@ class SegmentCavity {
   }
 
   /// Whether the new vertex `p` replaces the triangle of `h`. If a dangling edge starts at a corner of the triangle,
-  /// `p` may have the same position as this corner. The in-circle test then has no meaning, but the orientation test
-  /// makes `p` replace the triangle: the corner is an end of `h`, or it lies beyond `h`.
+  /// `p` may have the same position as this corner. The in-circle test then has no meaning, but is_left() is false, so
+  /// `p` replaces the triangle: if the corner is an end of `h`, the three positions are collinear; if it is the apex,
+  /// it lies left of `h`, so b, a and `p` are clockwise.
   [[nodiscard]] bool replaces(const Geometry& geometry, Index h, Index p) const {
     const View& a = positions_[triangles_.origin(h)];
     const View& b = positions_[triangles_.target(h)];

@@ -20,7 +20,9 @@ namespace {
 /// fits 64 bits, too.
 constexpr int kSmallBits = 30;
 
-/// The points as offsets from an origin: the last point, or a point of its crossing.
+/// Positions as offsets from an origin: an explicit position as one offset, a constructed position as the offsets of
+/// the four points that define its lines. The origin is the last position or, if this is constructed, the first of its
+/// four points.
 template <std::size_t kCount>
 class CommonOffsets {
  public:
@@ -165,7 +167,8 @@ std::optional<Sign> explicit_in_circle(const ExactPosition& a, const ExactPositi
   return (lift(p) * cross(q, r) + lift(q) * cross(r, p) + lift(r) * cross(p, q)).sign();
 }
 
-/// Moves an explicit position to the last position, if there is one. Returns whether it swapped two points.
+/// If the last element of the array is a constructed position and another element is explicit, swaps these two. So the
+/// array then ends with an explicit position. Returns whether the function has swapped two elements.
 template <std::size_t kCount>
 bool put_explicit_last(std::array<const ExactPosition*, kCount>& points) {
   if (points.back()->is_explicit()) return false;

@@ -14,9 +14,9 @@ constexpr std::uint32_t kNext[3] = {1, 2, 0};
 constexpr std::uint32_t kPrevious[3] = {2, 0, 1};
 
 /// The search adds this share of the distance to the goal to a bound. So of channels of about the same length, it takes
-/// the channel that is nearer to the goal first. If the search stops in a corridor because another channel has a
-/// smaller bound, the bound of the new node has no such term. So the search takes the nodes in the same order as
-/// without the stop.
+/// the channel that is nearer to the goal first. If follow() pauses, it opens a node whose bound has no such term.
+/// Along a channel, the estimated length never becomes smaller, but this term can. So the bound of this node is not
+/// larger than the bounds of the later nodes of the channel, and the pause does not delay them.
 constexpr double kTieBreakWeight = 1.0 / 128;
 
 }  // namespace

@@ -40,9 +40,11 @@ bool Optimal::are_in_one_wedge(mesh::HalfEdge g, mesh::HalfEdge h) const {
   return false;
 }
 
-/// Returns the root of the window that contains a position. `is_beyond(root)` says whether the position lies beyond the
-/// continuation of the path at the root, so that only roots before this root see it. Requires: one of the roots sees
-/// the position.
+/// Returns the root from which a position is visible through `window`, a window or a bundle. The position lies on the
+/// edge of the window, or beyond it. For each root after the first, consider the straight continuation of the path
+/// beyond this root. It separates the window of this root from the windows of the roots before it. `is_beyond(root)`
+/// says whether the position lies beyond this continuation, so that only roots before this root see it. Requires: one
+/// of the roots sees the position.
 template <class IsBeyond>
 std::uint32_t Optimal::find_root(const Node& window, IsBeyond&& is_beyond) const {
   const std::uint32_t first = window.first_root();
@@ -89,10 +91,13 @@ double Optimal::bound(const Node& window, const Point& left, const Point& right)
   return end ? length + distance(p, *end) : length;
 }
 
-/// Returns a lower bound of the length of the paths through a bundle. If the goal lies left of the leftmost window, the
-/// shortest path through the bundle leads along its left ray, because every other path from the first root through
-/// the bundle to the goal goes around this one. If the goal lies right of the rightmost window, the same is true of the
-/// right ray. With several goals, the function takes the distance from the first root to the edge.
+/// Returns a lower bound of the length of the paths through a bundle. The left ray of the bundle bounds its leftmost
+/// window on the left. Suppose that the goal lies left of this ray. Then the shortest path through the bundle leads
+/// from the first root to the root of the leftmost window, along the left ray to the edge, and from there straight to
+/// the goal. From the first root on, it turns only to the left, so it is convex. Every other path from the first root
+/// through the bundle to the goal meets the edge farther to the right, and leads around this convex path. So it is
+/// longer. If the goal lies right of the right ray of the bundle, the same is true with left and right exchanged. With
+/// several goals, the function takes the distance from the first root to the edge.
 double Optimal::bound_of_bundle(const Node& window, const Point& left, const Point& right) const {
   const Point& a = position_of(mesh_->origin(window.entry));
   const Point& b = position_of(mesh_->target(window.entry));

@@ -44,7 +44,8 @@ void ChangedItems::make_room(std::uint64_t version) {
     drop_forgotten();
   }
   if (complete_since_ >= version) return;
-  if (2 * entries_.size() >= entries_.capacity()) entries_.reserve(std::max(kSmallest, 2 * entries_.capacity()));
+  if (2 * entries_.size() >= entries_.capacity())
+    entries_.reserve(std::max(kSmallestCapacity, 2 * entries_.capacity()));
 }
 
 }  // namespace waywright

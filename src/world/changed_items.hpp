@@ -20,16 +20,16 @@ class ChangedItems {
   /// Makes an empty record. It will have all changes after `version`.
   explicit ChangedItems(std::uint64_t version) : complete_since_(version) {}
 
-  /// Sets the largest number of items that the record may contain (at least kSmallest / 2). If there are more, it drops
-  /// the oldest.
-  void set_limit(std::size_t limit) { limit_ = std::max(limit, kSmallest / 2); }
+  /// Sets the largest number of items that the record may contain: `limit`, but at least half of kSmallestCapacity. If
+  /// there are more, it drops the oldest.
+  void set_limit(std::size_t limit) { limit_ = std::max(limit, kSmallestCapacity / 2); }
   [[nodiscard]] std::size_t limit() const { return limit_; }
   /// Lets the record drop the changes up to `version`. Does nothing if it has dropped them already.
   void forget_until(std::uint64_t version);
 
   /// Makes the record reach back to `version`. `ids` are the items that differ between the world of this version and
-  /// the present world. The record then contains them, but no item that a rewind has given back the shape of that
-  /// version. Requires: the record does not reach back to `version`.
+  /// the present world, and the record then contains them. (It may lack an item that has changed since then, if a
+  /// rewind has taken this change back.) Requires: the record does not reach back to `version`.
   void extend_to(std::uint64_t version, std::span<const ItemId> ids);
 
   /// Records an item that an operation inserts or removes. `version` is the version of the world after this operation.
@@ -40,8 +40,8 @@ class ChangedItems {
     if (version > complete_since_) entries_.push_back({version, id});
   }
 
-  /// Returns whether the record reaches back to `version`: it has all changes after this version, except those for
-  /// which extend_to() speaks.
+  /// Returns whether the record reaches back to `version`: it has all items that have changed after this version,
+  /// except those that it may lack after extend_to().
   [[nodiscard]] bool has_all_since(std::uint64_t version) const { return version >= complete_since_; }
   /// Writes the items that have changed after `version` to `ids`, in the order of their last changes. Items with the
   /// same last change ascend by id. Requires: has_all_since(version).
@@ -64,12 +64,13 @@ class ChangedItems {
   /// after the operation in progress. Afterwards the array has room for one entry more.
   void make_room(std::uint64_t version);
 
-  static constexpr std::size_t kSmallest = 1024;
+  /// The capacity of `entries_` for the first entries.
+  static constexpr std::size_t kSmallestCapacity = 1024;
 
   std::vector<Entry> entries_;    ///< ascending by version
   std::vector<Entry> found_;      ///< scratch
   std::uint64_t complete_since_;  ///< the version to which the record reaches back
-  std::size_t limit_ = kSmallest / 2;
+  std::size_t limit_ = kSmallestCapacity / 2;
 };
 
 }  // namespace waywright

@@ -62,7 +62,7 @@ export interface SvgFrame {
   readonly yDown: boolean;
   /** What the picture shows, in the coordinates of the world. */
   readonly shown: Box;
-  /** The box of the map in the picture, in pixels. */
+  /** The box, in pixels, of the map: the part of the picture that shows the world, without title, axes and legend. */
   readonly map: Box;
   /** The pixels of one unit of length. */
   readonly scale: number;
