@@ -13,6 +13,7 @@
 #include "waywright/world.hpp"
 #include "waywright/world_snapshot.hpp"
 
+#include "physical_memory.hpp"
 #include "random.hpp"
 #include "registers.hpp"
 #include "timing.hpp"
@@ -108,6 +109,30 @@ void time_publish(benchmark::State& state, std::size_t vertices, Holding holding
   state.counters["vertices"] = static_cast<double>(world.vertex_count());
   state.counters["MB_world"] = static_cast<double>(world.memory().total()) * 1e-6;
   state.counters["MB_snapshot"] = static_cast<double>(held->memory().total()) * 1e-6;
+}
+
+/// Times publish() after every kChanges moves while a reader holds all snapshots. Counts the memory of each.
+void time_publish_held(benchmark::State& state, std::size_t vertices) {
+  constexpr std::size_t kFirst = 3;  // copies of the world: two snapshots, and the base of the others
+  constexpr std::size_t kHeld = 10;
+  Town town(vertices);
+  TownChanger changer(town, Changes::moves);
+  std::vector<WorldSnapshot> held;
+  std::vector<double> times;
+  std::size_t before = 0;
+  for ([[maybe_unused]] const auto iteration : state) {
+    for (std::size_t i = 0; i < kFirst + kHeld; ++i) {
+      changer.run(i);
+      const auto start = Clock::now();
+      held.push_back(town.world().publish());
+      if (i >= kFirst) times.push_back(microseconds_since(start));
+      if (i + 1 == kFirst) before = physical_memory();
+    }
+  }
+  state.counters["first_us"] = times.front();
+  state.counters["last_us"] = times.back();
+  state.counters["kB_each"] = static_cast<double>(physical_memory() - before) * 1e-3 / kHeld;
+  state.counters["MB_world"] = static_cast<double>(town.world().memory().total()) * 1e-6;
 }
 
 /// In each round, marks a tick, makes kChanges changes, publishes the present and times the snapshot of an earlier
@@ -247,6 +272,8 @@ void register_snapshots() {
     add_publish("/same_polygons", Holding::until_next, Changes::same_moves);
     add_publish("/buildings", Holding::none, Changes::buildings);
     add_publish("/buildings_held_until_next", Holding::until_next, Changes::buildings);
+    register_single_run(prefix + "publish_held" + size,
+                        [=](benchmark::State& state) { time_publish_held(state, vertices); });
     register_single_run(prefix + "publish_tick" + size,
                         [=](benchmark::State& state) { time_publish_tick(state, vertices); });
     register_single_run(prefix + "updates_beside_snapshots" + size,

@@ -26,6 +26,7 @@ COMPILER_FILES = {
 }
 SYSTEM_FILES = COMPILER_FILES | {
     "src/base/disk.cpp",
+    "src/base/page_file.cpp",
     "tools/waywright/platform.cpp",
 }
 # The code that determines meshes and the lengths of paths.

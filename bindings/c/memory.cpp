@@ -88,7 +88,8 @@ void operator delete[](void* memory, std::align_val_t alignment, const std::noth
   give_back(memory, number(alignment));
 }
 
-// The library takes large arrays of zeros from these two functions, which it defines in src/memory/zeroed_memory.cpp.
+// The library takes memory that does not come from `operator new` only as these three functions allow. It defines them
+// in src/memory/zeroed_memory.cpp.
 // The linker takes these definitions instead, because it finds them before it looks into the static library.
 namespace waywright::memory {
 
@@ -105,6 +106,8 @@ void* allocate_zeroed(std::size_t count, std::size_t size) noexcept {
 }
 
 void free_zeroed(void* memory) noexcept { give_back(memory, kAlignment); }
+
+bool may_map_pages() noexcept { return allocator.allocate == allocate_by_default; }
 
 }  // namespace waywright::memory
 

@@ -27,8 +27,9 @@ struct ScenarioQuery {
 };
 
 /// Reads a scenario of Moving AI, version 1, from text. The text is a header `version 1`, then lines of the form
-/// `bucket map width height start-x start-y goal-x goal-y length`, separated by tabs or blanks. Coordinates may be any
-/// finite numbers. Error messages start with `NAME:LINE: `, where NAME is `name`.
+/// `bucket map width height start-x start-y goal-x goal-y length`, separated by tabs or blanks. The reader
+/// ignores the bucket, a number that puts queries of similar lengths into one group. Coordinates may be any finite
+/// numbers. Error messages start with `NAME:LINE: `, where NAME is `name`.
 ///
 /// @code{.cpp}
 /// const std::string text = "version 1\n0 arena.map 49 49 1 11 1 12 1\n";

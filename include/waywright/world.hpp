@@ -237,8 +237,8 @@ class WAYWRIGHT_API World {
   /// Errors: the errors of apply(); coordinate_range, out_of_domain, bad_radius; not_supported, if the radius is 0 and
   /// the world does not keep its abstraction; no_bridges, if it is above 0 and the world does not keep its bridges.
   /// Cost: the cost of one attempt(), and two point locations for each point. With a radius above 0, also fit_disc()
-  /// for each point, and the walls and gaps that the disc can reach from the points. Points between which the disc can
-  /// move form a group: for each group, also all points, and the walls and gaps around them.
+  /// for each point and, for each set of points between which the disc can move, a search through all gaps that it can
+  /// pass from there, and one step for each of `points`.
   [[nodiscard]] Result<bool> would_disconnect(std::span<const Change> changes, PointSpan points, double radius = 0.0);
   /// Does the same for one change: the insertion of a shape.
   [[nodiscard]] Result<bool> would_disconnect(const Shape& shape, PointSpan points, double radius = 0.0);
@@ -254,8 +254,8 @@ class WAYWRIGHT_API World {
   /// Requires: attempt() is not asking a question about this world.
   /// Cost: the function takes the newest replica that serves snapshots of the present and that no reader holds. For
   /// each item that has changed since the version of this replica, it makes at most one removal and one insertion. If
-  /// there is no such replica, or if more than 64 + n / 32 items have changed, it costs as much as clone(). Here n is
-  /// the number of items that the world had when it made its last snapshot.
+  /// there is no such replica, or if more than 64 + n / 32 items have changed, it costs as much as clone(), or less if
+  /// replicas share pages. Here n is the number of items that the world had when it made its last snapshot.
   [[nodiscard]] WorldSnapshot publish();
   /// Returns an immutable world with the state of this world at a tick (mark()). This world does not change.
   /// WorldSnapshot has an example. If memory runs out, nothing changes.

@@ -206,7 +206,7 @@ std::size_t ItemTable::empty_bucket_for(ItemId id) const {
 void ItemTable::make_room_in_index(std::size_t count) {
   const std::size_t needed = (3 * (index_size_ + count) + 1) / 2;
   if (needed <= index_.size()) return;
-  std::vector<std::uint32_t> larger(std::max(needed, 2 * index_.size()), kEmpty);
+  memory::Array<std::uint32_t> larger(std::max(needed, 2 * index_.size()), kEmpty);
   index_.swap(larger);
   for (const std::uint32_t slot : larger) {
     if (slot != kEmpty) index_[empty_bucket_for(ids_[slot])] = slot;

@@ -10,6 +10,7 @@
 
 #include "base/compiler.hpp"
 #include "constraint/item_hash.hpp"
+#include "memory/array.hpp"
 #include "memory/count.hpp"
 #include "memory/free_list.hpp"
 #include "memory/journal.hpp"
@@ -236,13 +237,13 @@ class ItemTable {
 
   /// The records, by slot. For a point: its corner, and kPlain if the item is plain. For other items: the slot of their
   /// last side. For a free slot: the next free slot.
-  std::vector<std::uint32_t> items_;
+  memory::Array<std::uint32_t> items_;
   memory::Pages<Traits> traits_;  ///< by slot. A page without values contains only plain items and free slots.
   memory::Pages<ItemId> ids_;     ///< by slot, for items whose slot is not their id
-  std::vector<Link> sides_;
-  memory::FreeList free_items_;       ///< linked by `items_`
-  memory::FreeList free_sides_;       ///< linked by Link::next
-  std::vector<std::uint32_t> index_;  ///< slots of items whose slot is not their id; at most two thirds are in use
+  memory::Array<Link> sides_;
+  memory::FreeList free_items_;         ///< linked by `items_`
+  memory::FreeList free_sides_;         ///< linked by Link::next
+  memory::Array<std::uint32_t> index_;  ///< slots of items whose slot is not their id; at most two thirds are in use
   std::size_t index_size_ = 0;
   std::size_t size_ = 0;
   ItemId largest_id_seen_;

@@ -174,7 +174,7 @@ class Triangulation {
   static constexpr std::size_t kLargeCavity = 32;  ///< a cavity is large if its border has more edges than this
   static constexpr std::size_t kManySpokes = 16;   ///< after this number of spokes, star() looks for a crossing
 
-  void set_positions(std::vector<Point>&& points);
+  void set_positions(memory::Array<Point>&& points);
   mesh::Vertex add_vertex(const Point& point);
   void fix_border(const std::array<mesh::Label, 4>& side_labels);
   /// Prefetches the face beyond an edge. The second function prefetches the position of the apex of this face. Call the

@@ -22,15 +22,15 @@ Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::La
                                        locate::SortedPoints&& sorted, const threads::ThreadTeam& team,
                                        std::span<const threads::Job> jobs)
     : geometry_(box), sectors_(box), ghost_{DivideAndConquer<Geometry>::kGhost} {
-  std::vector<mesh::TriangleMesh::HalfEdgeRecord> half_edges;
+  memory::Array<mesh::TriangleMesh::HalfEdgeRecord> half_edges;
   half_edges.reserve(memory::with_spare(6 * sorted.points.size() - 6));
   half_edges.resize(6 * sorted.points.size() - 6);
   std::vector<threads::Job> all_jobs(jobs.begin(), jobs.end());
   all_jobs.emplace_back([&] { sectors_.fill(sorted.points, sorted.keys, number(vertex_of_rank(0))); });
   DivideAndConquer<Geometry>(geometry_, sorted.points, sorted.keys, half_edges).run(team, all_jobs);
   const std::size_t vertex_count = sorted.points.size() + 1;
-  sorted.keys = std::vector<locate::Curve::Key>();       // assigning {} would keep the memory
-  sorted.points.insert(sorted.points.begin(), Point{});  // the unused entry of the ghost
+  sorted.keys = std::vector<locate::Curve::Key>();  // assigning {} would keep the memory
+  sorted.points.push_front(Point{});                // the unused entry of the ghost
   set_positions(std::move(sorted.points));
   mesh_ = mesh::TriangleMesh(std::move(half_edges), vertex_count);
   for (std::size_t i = 0; i < 4; ++i) domain_corners_[i] = vertex_of_rank(sorted.ranks[i]);
@@ -39,7 +39,7 @@ Triangulation<Geometry>::Triangulation(const Box& box, const std::array<mesh::La
 }
 
 template <class Geometry>
-void Triangulation<Geometry>::set_positions(std::vector<Point>&& points) {
+void Triangulation<Geometry>::set_positions(memory::Array<Point>&& points) {
   if constexpr (requires { geometry_.set_positions(std::move(points)); }) {
     geometry_.set_positions(std::move(points));
   } else {

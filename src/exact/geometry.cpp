@@ -5,7 +5,7 @@
 namespace waywright::exact {
 
 void Geometry::set_position(std::uint32_t vertex, const Point& point) {
-  while (vertex >= positions_.size()) positions_.emplace_back();  // nearly always adds at most one entry
+  if (vertex >= positions_.size()) positions_.resize(vertex + 1);
   position_journal_.add({positions_[vertex], vertex});
   positions_[vertex] = point;
 }

@@ -14,6 +14,7 @@
 #include "exact/filter.hpp"
 #include "exact/line_table.hpp"
 #include "exact/sign.hpp"
+#include "memory/array.hpp"
 #include "memory/count.hpp"
 #include "memory/journal.hpp"
 #include "memory/pages.hpp"
@@ -59,7 +60,7 @@ class Geometry {
   void set_position(std::uint32_t vertex, const Point& point);
   /// Sets the positions of the vertices from 0 on to explicit positions. The undo log does not record this. Requires:
   /// there are no positions yet, and the points are in range.
-  void set_positions(std::vector<Point>&& points) { positions_ = std::move(points); }
+  void set_positions(memory::Array<Point>&& points) { positions_ = std::move(points); }
   /// Sets the position of `vertex` to the crossing of the lines through (a, b) and (c, d). Requires: these four
   /// vertices are explicit, and `vertex` is not constructed.
   void set_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
@@ -170,7 +171,7 @@ class Geometry {
 
   double orientation_error_;
   double in_circle_position_term_;
-  std::vector<Point> positions_;
+  memory::Array<Point> positions_;
   memory::Pages<Lines, kVerticesPerPage> lines_of_;  ///< by vertex; has room for every constructed vertex
   std::uint32_t constructed_count_ = 0;
   LineTable lines_;

@@ -8,6 +8,7 @@
 #include "waywright/memory_use.hpp"
 
 #include "exact/exact_position.hpp"
+#include "memory/array.hpp"
 #include "memory/count.hpp"
 #include "memory/free_list.hpp"
 
@@ -113,9 +114,9 @@ class LineTable {
   /// Puts a line into the trie. Requires: there is a free fork.
   void link(Slot line);
 
-  std::vector<Record> records_;
+  memory::Array<Record> records_;
   memory::FreeList free_records_;  ///< linked by Record::next
-  std::vector<Fork> forks_;        ///< as many as records
+  memory::Array<Fork> forks_;      ///< as many as records
   memory::FreeList free_forks_;    ///< linked by the first child
   Node root_ = kNone;              ///< kNone if the table has no line
   std::vector<Slot> changed_;      ///< the lines that are new since begin(), and lines whose last use was removed

@@ -8,6 +8,7 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
+#include "memory/array.hpp"
 #include "threads/thread_team.hpp"
 
 namespace waywright::locate {
@@ -80,7 +81,7 @@ class Curve {
 
 /// Distinct points, sorted along a curve.
 struct SortedPoints {
-  std::vector<Point> points;         ///< sorted by key, then by (x, y); has capacity for one more point
+  memory::Array<Point> points;       ///< sorted by key, then by (x, y); has capacity for one more point
   std::vector<Curve::Key> keys;      ///< the key of each of `points`
   std::vector<std::uint32_t> ranks;  ///< for each point of the input, its index in `points`
 };

@@ -78,7 +78,7 @@ Sectors::Content Sectors::any_vertex(Content content) const {
 // Replaces every top sector by four: by its quarters if it is divided, otherwise by four sectors that remember the
 // same vertex.
 void Sectors::grow() {
-  std::vector<Content> finer;
+  memory::Array<Content> finer;
   finer.reserve(4 * sectors_.size());
   const std::size_t count = top_count();
   for (std::size_t i = 0; i < count; ++i) {
@@ -108,7 +108,7 @@ void Sectors::fill(std::span<const Point> points, std::span<const Curve::Key> ke
   int shift = kKeyBits - 2;
   while (shift > 2 && keys.size() > kVerticesPerSector << (kKeyBits - shift)) shift -= 2;
   top_shift_ = shift;
-  sectors_ = memory::CompactArray(std::vector<Content>(top_count(), kNone));
+  sectors_ = memory::CompactArray(memory::Array<Content>(top_count(), kNone));
   zooms_.clear();
   std::size_t begin = 0;
   for (std::size_t i = 0; i < top_count(); ++i) {

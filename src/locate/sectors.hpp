@@ -32,7 +32,7 @@ namespace waywright::locate {
 /// do not; and the number of sectors is not constant.
 class Sectors {
  public:
-  explicit Sectors(const Box& domain) : curve_(domain), sectors_(std::vector<Content>(4, kNone)) {}
+  explicit Sectors(const Box& domain) : curve_(domain), sectors_(memory::Array<Content>(4, kNone)) {}
 
   struct Sector {
     std::size_t index;

@@ -6,7 +6,7 @@ namespace {
 
 /// Makes room for `count` elements more. The capacity grows by a factor, as for push_back().
 template <class Value>
-void make_room(std::vector<Value>& list, std::size_t count) {
+void make_room(Array<Value>& list, std::size_t count) {
   if (list.capacity() - list.size() < count) list.reserve(std::max(2 * list.capacity(), list.size() + count));
 }
 
@@ -15,7 +15,7 @@ void make_room(std::vector<Value>& list, std::size_t count) {
 // After make_room(), no step allocates. So if memory runs out, the array keeps its size.
 void CompactArray::append(std::size_t count, std::uint32_t value) {
   if (blocks_.empty()) {
-    values_.insert(values_.end(), count, value);
+    values_.resize(size_ + count, value);
     size_ += count;
     return;
   }
@@ -54,8 +54,9 @@ void CompactArray::add_block(const std::uint32_t* values, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) block.differences[i] = static_cast<std::uint8_t>(values[i] - *least);
     blocks_.push_back(block);
   } else {
-    wide_.emplace_back();
-    std::copy(values, values + count, wide_.back().begin());
+    WideBlock wide{};
+    std::copy(values, values + count, wide.begin());
+    wide_.push_back(wide);
     blocks_.push_back({kWide | static_cast<std::uint32_t>(wide_.size() - 1), {}});
   }
 }
@@ -82,7 +83,7 @@ void CompactArray::shrink_to_fit() {
 }
 
 void CompactArray::unpack() {
-  std::vector<std::uint32_t> values;
+  Array<std::uint32_t> values;
   values.reserve(size_);
   for (std::size_t i = 0; i < size_; i += kBlockSize) {
     for_each(i, std::min(kBlockSize, size_ - i), [&](std::uint32_t value) { values.push_back(value); });

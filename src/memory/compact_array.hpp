@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
-#include <vector>
 
 #include "waywright/memory_use.hpp"
 
 #include "base/compiler.hpp"
+#include "memory/array.hpp"
 #include "memory/count.hpp"
 
 namespace waywright::memory {
@@ -24,7 +24,7 @@ class CompactArray {
  public:
   CompactArray() = default;
   /// A plain array of these numbers.
-  explicit CompactArray(std::vector<std::uint32_t>&& values) : values_(std::move(values)), size_(values_.size()) {}
+  explicit CompactArray(Array<std::uint32_t>&& values) : values_(std::move(values)), size_(values_.size()) {}
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::uint32_t operator[](std::size_t i) const {
@@ -98,9 +98,9 @@ class CompactArray {
     return blocks_.size() * sizeof(Block) + wide_.size() * sizeof(WideBlock) > size_ * sizeof(std::uint32_t);
   }
 
-  std::vector<std::uint32_t> values_;  ///< empty if the array is packed
-  std::vector<Block> blocks_;          ///< empty if the array is plain
-  std::vector<WideBlock> wide_;
+  Array<std::uint32_t> values_;  ///< empty if the array is packed
+  Array<Block> blocks_;          ///< empty if the array is plain
+  Array<WideBlock> wide_;
   std::size_t size_ = 0;
 };
 

@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
-#include <vector>
 
 #include "waywright/memory_use.hpp"
 
+#include "memory/array.hpp"
 #include "memory/count.hpp"
 #include "memory/journal.hpp"
 
@@ -23,7 +23,7 @@ template <class Value>
 class JournaledArray {
  public:
   JournaledArray() = default;
-  explicit JournaledArray(std::vector<Value>&& values) : values_(std::move(values)), size_before_(values_.size()) {}
+  explicit JournaledArray(Array<Value>&& values) : values_(std::move(values)), size_before_(values_.size()) {}
 
   [[nodiscard]] std::size_t size() const { return values_.size(); }
   [[nodiscard]] const Value& operator[](std::size_t i) const { return values_[i]; }
@@ -81,7 +81,7 @@ class JournaledArray {
     Value value;
   };
 
-  std::vector<Value> values_;
+  Array<Value> values_;
   std::size_t size_before_ = 0;
   Journal<Undo> journal_;
 };

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "waywright/memory_use.hpp"
 
 #include "base/compiler.hpp"
+#include "memory/arena.hpp"
 #include "memory/count.hpp"
 
 namespace waywright::memory {
@@ -20,16 +22,24 @@ template <class Value, std::size_t kPageSize = 1024>
 class Pages {
  public:
   Pages() = default;
-  /// Copies the values. Cost: linear in the length of the table of pages and in the values of the pages.
-  Pages(const Pages& other) : pages_(other.pages_.size()), page_count_(other.page_count_) {
+  /// Copies the values. If an ArenaScope exists, makes the copy of each page in its arena.
+  /// Cost: linear in the length of the table of pages and in the values of the pages.
+  Pages(const Pages& other) : Pages() {
+    pages_.resize(other.pages_.size());
+    page_count_ = other.page_count_;
+    if constexpr (base::kHasPageFiles) arena_ = ArenaScope::arena();
     for (std::size_t i = 0; i < pages_.size(); ++i) {
-      if (other.pages_[i] != nullptr) pages_[i] = std::make_unique<Page>(*other.pages_[i]);
+      if (other.pages_[i] != nullptr) pages_[i] = copy(*other.pages_[i]);
     }
   }
-  Pages(Pages&&) noexcept = default;
+  Pages(Pages&& other) noexcept { swap(other); }
   Pages& operator=(const Pages&) = delete;
-  Pages& operator=(Pages&&) noexcept = default;
-  ~Pages() = default;
+  Pages& operator=(Pages&& other) noexcept {
+    swap(other);
+    other.clear();
+    return *this;
+  }
+  ~Pages() { clear(); }
 
   /// Makes the table of pages large enough for the indices below `count`. Allocates no page.
   void grow_to(std::size_t count) {
@@ -60,7 +70,7 @@ class Pages {
 
   /// Removes all values and frees their memory.
   void clear() {
-    for (std::unique_ptr<Page>& page : pages_) page.reset();
+    for (Page*& page : pages_) free(std::exchange(page, nullptr));
     page_count_ = 0;
   }
 
@@ -73,14 +83,30 @@ class Pages {
 
  private:
   using Page = std::array<Value, kPageSize>;
+  static_assert(std::is_trivially_copyable_v<Page>);
 
   WAYWRIGHT_NO_INLINE void add_page(std::size_t index) {
-    pages_[index] = std::make_unique<Page>();
+    pages_[index] = new Page();
     ++page_count_;
   }
+  [[nodiscard]] Page* copy(const Page& page) const {
+    if (arena_ != nullptr) {
+      if (void* const place = arena_->copy(&page, sizeof(Page), sizeof(Page))) return static_cast<Page*>(place);
+    }
+    return new Page(page);
+  }
+  void free(Page* page) const {
+    if (arena_ == nullptr || !arena_->contains(page)) delete page;
+  }
+  void swap(Pages& other) noexcept {
+    std::swap(pages_, other.pages_);
+    std::swap(page_count_, other.page_count_);
+    std::swap(arena_, other.arena_);
+  }
 
-  std::vector<std::unique_ptr<Page>> pages_;  ///< null until the page has a value
+  std::vector<Page*> pages_;  ///< null until the page has a value
   std::size_t page_count_ = 0;
+  Arena* arena_ = nullptr;  ///< the arena in which some of the pages may lie, or null
 };
 
 }  // namespace waywright::memory

@@ -18,7 +18,7 @@ std::size_t grown_capacity(std::size_t capacity, std::size_t needed) {
 
 }  // namespace
 
-TriangleMesh::TriangleMesh(std::vector<HalfEdgeRecord> half_edges, std::size_t vertex_count)
+TriangleMesh::TriangleMesh(memory::Array<HalfEdgeRecord> half_edges, std::size_t vertex_count)
     : half_edges_(std::move(half_edges)) {
   outgoing_.reserve(memory::with_spare(vertex_count));
   outgoing_.resize(vertex_count);

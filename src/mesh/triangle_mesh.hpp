@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/compiler.hpp"
+#include "memory/array.hpp"
 #include "memory/count.hpp"
 #include "memory/free_list.hpp"
 #include "memory/journal.hpp"
@@ -55,7 +56,7 @@ class TriangleMesh {
   TriangleMesh() = default;
   /// Takes over a mesh that other code has made. The half-edges 3 f, 3 f + 1 and 3 f + 2 are a face. Requires: no face
   /// is free, no edge is fixed, and each of the `vertex_count` vertices is the origin of a half-edge.
-  TriangleMesh(std::vector<HalfEdgeRecord> half_edges, std::size_t vertex_count);
+  TriangleMesh(memory::Array<HalfEdgeRecord> half_edges, std::size_t vertex_count);
 
   // Navigation. A function costs O(1), unless its comment states another cost.
   [[nodiscard]] HalfEdge twin(HalfEdge h) const { return HalfEdge{half_edges_[number(h)].twin & ~kFixed}; }
@@ -284,11 +285,11 @@ class TriangleMesh {
   void take_over(HalfEdge to, HalfEdge from);
   void set_origin(HalfEdge h, Vertex v) { half_edges_[number(h)].origin = v; }
 
-  std::vector<HalfEdgeRecord> half_edges_;
-  memory::Pages<Label> labels_;          ///< by half-edge; has room for every half-edge of a fixed edge
-  std::vector<std::uint32_t> outgoing_;  ///< by vertex; if kFree is set: the next free vertex
-  memory::FreeList free_faces_;          ///< linked by the twin of the first half-edge
-  memory::FreeList free_vertices_;       ///< linked by `outgoing_`
+  memory::Array<HalfEdgeRecord> half_edges_;
+  memory::Pages<Label> labels_;            ///< by half-edge; has room for every half-edge of a fixed edge
+  memory::Array<std::uint32_t> outgoing_;  ///< by vertex; if kFree is set: the next free vertex
+  memory::FreeList free_faces_;            ///< linked by the twin of the first half-edge
+  memory::FreeList free_vertices_;         ///< linked by `outgoing_`
   std::size_t free_face_count_ = 0;
   std::size_t free_vertex_count_ = 0;
 

@@ -64,7 +64,7 @@ void compare_covers(const constraint::ItemTable& items, const WindingNumbers& he
 }  // namespace
 
 Components::Components(const Triangulation& triangulation) {
-  std::vector<Id> ids = join_faces(triangulation);
+  memory::Array<Id> ids = join_faces(triangulation);
   number_components(ids);
   ids_ = memory::JournaledArray<Id>(std::move(ids));
   if (triangulation.items().has_polygons()) cover_components(triangulation);
@@ -73,9 +73,9 @@ Components::Components(const Triangulation& triangulation) {
 
 /// Returns the components as trees: for each face in the domain, another face of its component, or itself for a root.
 /// Source: Galler and Fischer, *An improved equivalence algorithm*, CACM 1964.
-std::vector<Components::Id> Components::join_faces(const Triangulation& triangulation) {
+memory::Array<Components::Id> Components::join_faces(const Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
-  std::vector<Id> trees;
+  memory::Array<Id> trees;
   trees.reserve(memory::with_spare(mesh.face_slots()));
   trees.resize(mesh.face_slots(), kNone);
   for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
@@ -91,7 +91,7 @@ std::vector<Components::Id> Components::join_faces(const Triangulation& triangul
 }
 
 /// Makes a component of each tree in `ids`, and replaces each entry by the id of its face's component.
-void Components::number_components(std::vector<Id>& ids) {
+void Components::number_components(memory::Array<Id>& ids) {
   for (std::uint32_t f = 0; f < ids.size(); ++f) {
     if (ids[f] == kNone) continue;
     const bool is_first = ids[f] == f;

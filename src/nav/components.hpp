@@ -162,8 +162,8 @@ class Components {
     Id component;
     mesh::HalfEdge h;
   };
-  [[nodiscard]] static std::vector<Id> join_faces(const Triangulation& triangulation);
-  void number_components(std::vector<Id>& ids);
+  [[nodiscard]] static memory::Array<Id> join_faces(const Triangulation& triangulation);
+  void number_components(memory::Array<Id>& ids);
   void cover_components(const Triangulation& triangulation);
   [[nodiscard]] std::vector<SeparatingWall> find_separating_walls(const mesh::TriangleMesh& mesh) const;
 

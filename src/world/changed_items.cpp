@@ -6,10 +6,12 @@ namespace waywright {
 
 void ChangedItems::forget_until(std::uint64_t version) { complete_since_ = std::max(complete_since_, version); }
 
-void ChangedItems::extend_to(std::uint64_t version, std::span<const ItemId> ids) {
+// If an item has changed after `complete_since_`, the record contains it already, with this later version.
+void ChangedItems::extend_to(std::uint64_t version, std::vector<Entry> changed) {
   drop_forgotten();
-  entries_.insert(entries_.begin(), ids.size(), {complete_since_, {}});
-  for (std::size_t i = 0; i < ids.size(); ++i) entries_[i].id = ids[i];
+  for (Entry& entry : changed) entry.version = std::min(entry.version, complete_since_);
+  keep_last(changed);
+  entries_.insert(entries_.begin(), changed.begin(), changed.end());
   complete_since_ = version;
 }
 

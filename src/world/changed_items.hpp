@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "waywright/id.hpp"
@@ -27,10 +26,17 @@ class ChangedItems {
   /// Lets the record drop the changes up to `version`. Does nothing if it has dropped them already.
   void forget_until(std::uint64_t version);
 
-  /// Makes the record reach back to `version`. `ids` are the items that differ between the world of this version and
-  /// the present world, and the record then contains them. (It may lack an item that has changed since then, if a
-  /// rewind has taken this change back.) Requires: the record does not reach back to `version`.
-  void extend_to(std::uint64_t version, std::span<const ItemId> ids);
+  /// An item, and the version of the world after its last change.
+  struct Entry {
+    std::uint64_t version;
+    ItemId id;
+  };
+
+  /// Makes the record reach back to `version`. `changed` are the items that differ between the world of this version
+  /// and the present world, and the record then contains them. The version of an item may be that of any later tick.
+  /// (The record may lack an item that has changed since `version`, if a rewind has taken this change back.) Requires:
+  /// the record does not reach back to `version`.
+  void extend_to(std::uint64_t version, std::vector<Entry> changed);
 
   /// Records an item that an operation inserts or removes. `version` is the version of the world after this operation.
   /// Cost: amortised O(log n) in the items of the record.
@@ -51,11 +57,6 @@ class ChangedItems {
   void count_memory(MemoryUse& use) const { memory::count_spare(use, entries_, found_); }
 
  private:
-  struct Entry {
-    std::uint64_t version;
-    ItemId id;
-  };
-
   /// Removes the changes up to the version `complete_since_`.
   void drop_forgotten();
   /// Keeps the last entry of each item only, and sorts by version and id.

@@ -93,15 +93,35 @@ std::vector<History::ChangedItem> History::changed_since(Tick tick) {
   drop_uncommitted();
   std::vector<ChangedItem> found;
   for (std::uint64_t i = marks_[tick - 1].first_entry; i != entries_.end(); ++i) {
-    for (std::uint32_t k = 0; k < entries_[i].count; ++k) found.push_back({{entries_[i].id.value + k}, i});
+    for (std::uint32_t k = 0; k < entries_[i].count; ++k) found.push_back({{entries_[i].id.value + k}, i, i});
   }
   std::sort(found.begin(), found.end(),
             [](const ChangedItem& a, const ChangedItem& b) { return a.id != b.id ? a.id < b.id : a.entry < b.entry; });
   // The first entry of an item contains its state at the tick.
-  found.erase(
-      std::unique(found.begin(), found.end(), [](const ChangedItem& a, const ChangedItem& b) { return a.id == b.id; }),
-      found.end());
+  std::size_t count = 0;
+  for (const ChangedItem& item : found) {
+    if (count != 0 && found[count - 1].id == item.id) {
+      found[count - 1].last_entry = item.entry;
+    } else {
+      found[count++] = item;
+    }
+  }
+  found.resize(count);
   return found;
+}
+
+std::optional<std::uint64_t> History::version_after(const ChangedItem& item) const {
+  std::uint64_t first = marks_.begin();
+  for (std::uint64_t end = marks_.end(); first != end;) {
+    const std::uint64_t middle = first + (end - first) / 2;
+    if (marks_[middle].first_entry > item.last_entry) {
+      end = middle;
+    } else {
+      first = middle + 1;
+    }
+  }
+  if (first == marks_.end()) return std::nullopt;
+  return marks_[first].version;
 }
 
 void History::return_to(Tick tick) {

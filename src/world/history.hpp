@@ -50,7 +50,8 @@ class History {
   /// An item that has changed since a tick.
   struct ChangedItem {
     ItemId id;
-    std::uint64_t entry;  ///< the index of its first change since the tick, in `entries_`
+    std::uint64_t entry;       ///< the index of its first change since the tick, in `entries_`
+    std::uint64_t last_entry;  ///< the index of its last change
   };
 
   /// Returns the error of a rewind to this tick, or nothing.
@@ -69,6 +70,10 @@ class History {
   [[nodiscard]] bool was_live(const ChangedItem& item) const { return entries_[item.entry].was_live; }
   /// Returns the shape that the item had at that tick. Requires: was_live(item).
   [[nodiscard]] Shape shape(const ChangedItem& item) const;
+
+  /// Returns the version of the world at the first tick after the last change of the item, or nothing if no tick
+  /// follows. Cost: O(log n) in the ticks.
+  [[nodiscard]] std::optional<std::uint64_t> version_after(const ChangedItem& item) const;
 
   void count_memory(MemoryUse& use) const;
   /// Frees spare memory.

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <span>
 
 #include "waywright/id.hpp"
@@ -34,6 +36,11 @@ class ItemsAtTick {
     if (!now_.items().contains(id)) return false;
     fill_shape(now_, id, shape);
     return true;
+  }
+
+  /// Returns the answer of History::version_after() for one of the changed items.
+  [[nodiscard]] std::optional<std::uint64_t> version_after(const History::ChangedItem& item) const {
+    return history_->version_after(item);
   }
 
   /// The items that have changed since the tick. Empty for the items of now.

@@ -1,6 +1,9 @@
 #include "world/snapshot_pool.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include "memory/count.hpp"
 
@@ -42,6 +45,7 @@ void ReplicaScratch::count_memory(MemoryUse& use) const {
 
 SnapshotPool::~SnapshotPool() {
   for (Replica* const replica : replicas_) replica->release();
+  if (base_ != nullptr) base_->release();
 }
 
 template <class Matches>
@@ -71,9 +75,12 @@ void SnapshotPool::extend_record(std::uint64_t version, const ItemsAtTick& items
   for (Replica* const replica : replicas_) {
     if (!can_follow(*replica)) replica->note_too_old();
   }
-  ids_.clear();
-  add_changed(items);
-  changed_.extend_to(version, ids_);
+  if (base_ != nullptr && !can_follow(*base_)) base_->note_too_old();
+  std::vector<ChangedItems::Entry> changed;
+  for (const History::ChangedItem& item : items.changed()) {
+    changed.push_back({items.version_after(item).value_or(std::numeric_limits<std::uint64_t>::max()), item.id});
+  }
+  changed_.extend_to(version, std::move(changed));
 }
 
 void SnapshotPool::add_changed(const ItemsAtTick& items) {
@@ -95,14 +102,35 @@ Replica* SnapshotPool::find_free(const ReplicaState& state, const ItemsAtTick& i
     if (replica->serves_ticks() != state.tick.has_value() || !replica->is_free() || !can_follow(*replica)) continue;
     if (nearest == nullptr || distance(replica) < distance(nearest)) nearest = replica;
   }
-  if (nearest == nullptr) return nullptr;
-  changed_.since(nearest->world.version(), ids_);
+  return nearest != nullptr && find_changed(nearest->world.version(), items, limit_) ? nearest : nullptr;
+}
+
+bool SnapshotPool::find_changed(std::uint64_t version, const ItemsAtTick& items, std::size_t limit) {
+  changed_.since(version, ids_);
   if (!items.changed().empty()) {
     add_changed(items);
     std::sort(ids_.begin(), ids_.end());
     ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
   }
-  return ids_.size() <= limit_ + items.changed().size() ? nearest : nullptr;
+  return ids_.size() <= limit + items.changed().size();
+}
+
+bool SnapshotPool::should_share(std::size_t bytes, bool serves_ticks) const {
+  if (!base::kHasPageFiles || bytes < least_shared_) return false;
+  const auto serves_same = [&](const Replica* replica) { return replica->serves_ticks() == serves_ticks; };
+  return std::count_if(replicas_.begin(), replicas_.end(), serves_same) >= static_cast<std::ptrdiff_t>(most_own_);
+}
+
+const Replica* SnapshotPool::find_base(const ReplicaState& state, const ItemsAtTick& items) {
+  extend_record(state.version, items);
+  if (base_ == nullptr || !can_follow(*base_)) return nullptr;
+  return find_changed(base_->world.version(), items, limit_ / kPartForBase) ? base_ : nullptr;
+}
+
+void SnapshotPool::set_base(World&& copy, std::unique_ptr<memory::Arena> arena) {
+  auto* const base = new Replica(std::move(copy), std::move(arena), false);
+  if (base_ != nullptr) base_->release();
+  base_ = base;
 }
 
 void SnapshotPool::drop(Replica* replica) {
@@ -110,9 +138,11 @@ void SnapshotPool::drop(Replica* replica) {
   replica->release();
 }
 
-Replica* SnapshotPool::add(World&& copy, bool serves_ticks) {
+Replica* SnapshotPool::add(World&& copy, std::unique_ptr<memory::Arena> arena, bool serves_ticks) {
   replicas_.reserve(kMost + 1);
-  replicas_.push_back(new Replica(std::move(copy), serves_ticks));
+  const bool is_sharing = arena != nullptr;
+  replicas_.push_back(new Replica(std::move(copy), std::move(arena), serves_ticks));
+  if (is_sharing) ++sharing_count_;
   return replicas_.back();
 }
 
@@ -123,7 +153,8 @@ void SnapshotPool::hand_out(Replica* replica, std::size_t item_count) {
   replicas_.push_back(replica);
   limit_ = kFewChanges + item_count / kItemsForEachChange;
   changed_.set_limit(limit_);
-  changed_.forget_until((*find_oldest([](const Replica*) { return true; }))->world.version());
+  const std::uint64_t oldest = (*find_oldest([](const Replica*) { return true; }))->world.version();
+  changed_.forget_until(base_ == nullptr ? oldest : std::min(oldest, base_->world.version()));
 }
 
 void SnapshotPool::release_too_old() {
@@ -147,7 +178,10 @@ Replica* SnapshotPool::take_unneeded() {
     const auto count = static_cast<std::size_t>(std::count_if(replicas_.begin(), replicas_.end(), is_spare));
     if (oldest == replicas_.end() && count > kMostFree) oldest = find_oldest(is_spare);
   }
-  if (oldest == replicas_.end()) return nullptr;
+  if (oldest == replicas_.end()) {
+    const bool is_base_kept = base_ == nullptr || can_follow(*base_);
+    return is_base_kept ? nullptr : std::exchange(base_, nullptr);
+  }
   Replica* const unneeded = *oldest;
   replicas_.erase(oldest);
   return unneeded;
@@ -161,6 +195,7 @@ void SnapshotPool::count_memory(MemoryUse& use) const {
   for (const Replica* const replica : replicas_) {
     if (replica->is_free()) use.spare += sizeof(Replica) + replica->world.memory().total();
   }
+  if (base_ != nullptr) use.spare += sizeof(Replica) + base_->world.memory().total();
 }
 
 }  // namespace waywright

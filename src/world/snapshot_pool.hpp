@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "waywright/memory_use.hpp"
 #include "waywright/world.hpp"
 
+#include "memory/arena.hpp"
 #include "world/changed_items.hpp"
 #include "world/history.hpp"
 #include "world/items_at_tick.hpp"
@@ -28,12 +30,15 @@ namespace detail {
 /// A replica serves either snapshots of the present or snapshots of ticks. Otherwise a program that publishes both in
 /// turn would move each replica to and fro between the present and the ticks.
 ///
+/// A replica may share pages with others: its arrays then lie in an arena (memory::Arena).
+///
 /// Threads: threads with a handle may call add_handle() and remove_handle() at any time. The other functions belong to
 /// the thread that changes the world.
 class Replica {
  public:
-  /// Makes a replica that only the pool owns.
-  Replica(World&& copy, bool serves_ticks) : world(std::move(copy)), serves_ticks_(serves_ticks) {}
+  /// Makes a replica that only the pool owns. `arena_of_copy` contains arrays of the copy, or is null.
+  Replica(World&& copy, std::unique_ptr<memory::Arena> arena_of_copy, bool serves_ticks)
+      : arena(std::move(arena_of_copy)), world(std::move(copy)), serves_ticks_(serves_ticks) {}
 
   [[nodiscard]] bool serves_ticks() const { return serves_ticks_; }
 
@@ -60,6 +65,7 @@ class Replica {
   [[nodiscard]] bool is_too_old() const { return is_too_old_; }
   void note_too_old() { is_too_old_ = true; }
 
+  const std::unique_ptr<memory::Arena> arena;  ///< null if the replica shares no pages; outlives `world`
   World world;
 
  private:
@@ -95,6 +101,11 @@ struct ReplicaScratch {
 /// The replicas of a world, and the changes that they have not repeated yet. A replica *follows* the world if it
 /// repeats these changes, or goes back to the state of a tick (World::Impl::follow()).
 ///
+/// The first two replicas have memory of their own. If readers hold them, each new replica of a large world shares
+/// pages with the *base*: a copy of the world that nobody reads and nobody changes. Such a replica takes memory only
+/// for what has changed since the base was made. But a change takes longer if the system must copy a page for it, so
+/// a program whose readers hold only one or two snapshots gets replicas without shared pages.
+///
 /// Threads: the pool belongs to the thread that changes the world, but count_memory() is a query.
 class SnapshotPool {
  public:
@@ -121,13 +132,31 @@ class SnapshotPool {
 
   /// Takes a free replica out of the pool and frees it.
   void drop(detail::Replica* replica);
-  /// Makes a replica of a copy of the world, and adds it to the pool. If memory runs out, changes nothing.
-  [[nodiscard]] detail::Replica* add(World&& copy, bool serves_ticks);
+  /// Returns whether a new replica should share pages with the base. `bytes` is the memory of the world.
+  [[nodiscard]] bool should_share(std::size_t bytes, bool serves_ticks) const;
+  /// Returns the base, if a copy of it can follow the world to this state and few items differ. Otherwise returns null.
+  /// changed() then has the items that may differ.
+  [[nodiscard]] const detail::Replica* find_base(const ReplicaState& state, const ItemsAtTick& items);
+  /// Replaces the base by a copy of the present world. `arena` contains arrays of the copy.
+  void set_base(World&& copy, std::unique_ptr<memory::Arena> arena);
+  /// Makes a replica of a copy of the world, and adds it to the pool. `arena` contains arrays of the copy, or is null.
+  /// If memory runs out, changes nothing.
+  [[nodiscard]] detail::Replica* add(World&& copy, std::unique_ptr<memory::Arena> arena, bool serves_ticks);
   /// Prepares a replica for its first reader. Gives up the replicas that the pool no longer needs. `item_count` is the
   /// number of items of the world now. Allocates nothing. Requires: the replica is free.
   void hand_out(detail::Replica* replica, std::size_t item_count);
 
   void count_memory(MemoryUse& use) const;
+
+  // For tests.
+
+  /// Lets all new replicas share pages, also the first ones, and those of a small world.
+  void share_always() {
+    least_shared_ = 0;
+    most_own_ = 0;
+  }
+  /// Returns how many replicas that share pages the pool has made.
+  [[nodiscard]] std::size_t sharing_count() const { return sharing_count_; }
 
  private:
   /// If the pool has more free replicas for the present than this number, or more for ticks, hand_out() gives up one of
@@ -142,6 +171,13 @@ class SnapshotPool {
   /// See kFewChanges.
   static constexpr std::size_t kItemsForEachChange = 32;
 
+  /// A world with less memory (in bytes) has no replicas that share pages: a copy takes less than a few milliseconds.
+  static constexpr std::size_t kLeastShared = std::size_t{4} << 20;
+  /// If more than `limit_` / kPartForBase items have changed since the pool made the base, it makes a new one. A
+  /// smaller part would take more time for bases, a larger part more time and memory for the replicas: each of them
+  /// repeats all changes since the base, in shared pages, where a change takes several times as long as elsewhere.
+  static constexpr std::size_t kPartForBase = 32;
+
   using Replicas = std::vector<detail::Replica*>;
 
   /// Extends the record of changes, so that a replica with these items can follow the world later. `version` is its
@@ -149,6 +185,10 @@ class SnapshotPool {
   void extend_record(std::uint64_t version, const ItemsAtTick& items);
   /// Adds the items that have changed since the tick to `ids_`.
   void add_changed(const ItemsAtTick& items);
+  /// Writes to `ids_` the items in which a world of this version may differ from the state with `items`. Returns
+  /// whether, apart from the changes since the tick, they are at most `limit`. Requires: the record reaches back to the
+  /// version.
+  [[nodiscard]] bool find_changed(std::uint64_t version, const ItemsAtTick& items, std::size_t limit);
   /// Returns the oldest of the replicas for which `matches(replica)` is true, or the end of the list.
   template <class Matches>
   [[nodiscard]] Replicas::iterator find_oldest(Matches&& matches);
@@ -162,7 +202,11 @@ class SnapshotPool {
     return !replica.is_too_old() && changed_.has_all_since(replica.world.version());
   }
 
-  Replicas replicas_;  ///< in no order
+  Replicas replicas_;                ///< in no order
+  detail::Replica* base_ = nullptr;  ///< or null
+  std::size_t least_shared_ = kLeastShared;
+  std::size_t most_own_ = kMostFree;  ///< if the pool has this many replicas of a kind, the next one shares pages
+  std::size_t sharing_count_ = 0;     ///< how many replicas that share pages the pool has made
   ChangedItems changed_;
   std::size_t limit_ = kFewChanges;  ///< if more items have changed, a copy costs less
   std::vector<ItemId> ids_;          ///< the answer of changed()

@@ -63,18 +63,23 @@ std::size_t World::triangle_count() const {
   return mesh.face_count() - border;
 }
 
-MemoryUse World::memory() const {
+MemoryUse World::Impl::memory() const {
   MemoryUse use;
   use.spare = sizeof(Impl) + sizeof(TouchLog);
-  impl_->triangulation.count_memory(use);
-  impl_->change_log.count_memory(use);
-  impl_->history.count_memory(use);
-  impl_->touch_log->count_memory(use);
-  impl_->touched_faces.count_memory(use);
-  memory::count_spare(use, impl_->outline.corners, impl_->outline.ring_ends);
-  if (impl_->abstraction) impl_->abstraction->count_memory(use);
-  if (impl_->abstraction_of_walls) impl_->abstraction_of_walls->count_memory(use);
-  if (impl_->clearance) impl_->clearance->count_memory(use);
+  triangulation.count_memory(use);
+  change_log.count_memory(use);
+  history.count_memory(use);
+  touch_log->count_memory(use);
+  touched_faces.count_memory(use);
+  memory::count_spare(use, outline.corners, outline.ring_ends);
+  if (abstraction) abstraction->count_memory(use);
+  if (abstraction_of_walls) abstraction_of_walls->count_memory(use);
+  if (clearance) clearance->count_memory(use);
+  return use;
+}
+
+MemoryUse World::memory() const {
+  MemoryUse use = impl_->memory();
   if (impl_->snapshots) impl_->snapshots->count_memory(use);
   return use;
 }

@@ -120,6 +120,10 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   /// Returns a replica that had no readers, with this state and one handle. `items` are the items of the state.
   /// Requires: share() has returned null.
   [[nodiscard]] detail::Replica* publish(const ReplicaState& state, const ItemsAtTick& items);
+  /// Adds a replica with this state to the pool: a copy of this world with memory of its own, or a copy that shares
+  /// pages with other replicas. The second function returns null if such a copy costs more or is not possible.
+  [[nodiscard]] detail::Replica* add_replica(const ReplicaState& state);
+  [[nodiscard]] detail::Replica* add_sharing_replica(const ReplicaState& state, const ItemsAtTick& items);
   /// Gives this world a state of `other`, with these items. `changed` are the items that may differ. If memory runs
   /// out, some of these items may already be as in this state, and the version may be that of this state. The caller
   /// can then call the function again, with this state or another one. Returns true if it has succeeded. If the result
@@ -174,6 +178,8 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   [[nodiscard]] std::optional<Point> nearest_fit_of_disc(const NearestFitQuery& query,
                                                          detail::QueryScratch& scratch) const;
   [[nodiscard]] std::uint64_t version() const { return touch_log->version(); }
+  /// Returns the memory of this world without its replicas.
+  [[nodiscard]] MemoryUse memory() const;
   // The areas of points, for World::would_disconnect().
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> areas_of(PointSpan points, detail::QueryScratch& scratch) const;
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> areas_of(PointSpan points, double radius,

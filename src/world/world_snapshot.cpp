@@ -25,8 +25,12 @@ namespace waywright {
 
 namespace {
 
-/// See World::Impl::follow().
+/// The limit of the vertices of a replica that follows the world is twice the number of vertices of both, plus this
+/// number. See World::Impl::follow().
 constexpr std::size_t kMoreVertices = 1024;
+
+/// The spare room in the arena of a base, in bytes, apart from a share of the size of the world.
+constexpr std::size_t kSpareInArena = std::size_t{1} << 20;
 
 /// Commits an operation. GCC 12 warns of members without a value if it inlines this.
 template <class Operation>
@@ -69,7 +73,8 @@ bool World::Impl::follow(const Impl& other, const ReplicaState& state, const Ite
   // `state`. Then SnapshotPool::find_free() finds all items in which this replica may differ from another state.
   if (state.version < version()) set_version(other, state.version);
   // Old shapes of some items may cross new shapes of others very often, although no state of the world has these
-  // crossings. A copy of the world then costs less.
+  // crossings. If they make more vertices than this limit, the function returns false, because a copy of the world
+  // costs less.
   const std::size_t most_vertices =
       2 * (triangulation.topology().vertex_count() + other.triangulation.topology().vertex_count()) + kMoreVertices;
   for (std::size_t i = 0; i < changed.size(); ++i) {
@@ -91,6 +96,39 @@ detail::Replica* World::Impl::share(const ReplicaState& state) {
   return snapshots->add_handle_of(state);
 }
 
+detail::Replica* World::Impl::add_replica(const ReplicaState& state) {
+  auto copy = std::make_unique<Impl>(*this, History());
+  if (state.tick) {
+    copy->bring_back(history, *state.tick);
+    copy->change_log = change_log;
+    copy->set_version(*this, state.version);
+  }
+  return snapshots->add(World(std::move(copy)), nullptr, state.tick.has_value());
+}
+
+detail::Replica* World::Impl::add_sharing_replica(const ReplicaState& state, const ItemsAtTick& items) {
+  const std::size_t bytes = memory().total();
+  if (!snapshots->should_share(bytes, state.tick.has_value())) return nullptr;
+  const auto copy_in_arena = [](memory::Arena& arena, const Impl& original) {
+    const memory::ArenaScope scope(arena);
+    return World(std::make_unique<Impl>(original, History()));
+  };
+  const detail::Replica* base = snapshots->find_base(state, items);
+  if (base == nullptr) {
+    std::unique_ptr<memory::Arena> arena = memory::Arena::make(bytes + bytes / 16 + kSpareInArena);
+    if (arena == nullptr) return nullptr;
+    World copy = copy_in_arena(*arena, *this);
+    snapshots->set_base(std::move(copy), std::move(arena));
+    base = snapshots->find_base(state, items);
+    if (base == nullptr) return nullptr;
+  }
+  std::unique_ptr<memory::Arena> arena = base->arena->share();
+  if (arena == nullptr) return nullptr;
+  World copy = copy_in_arena(*arena, *base->world.impl_);
+  if (!copy.impl_->follow(*this, state, items, snapshots->changed(), snapshots->scratch())) return nullptr;
+  return snapshots->add(std::move(copy), std::move(arena), state.tick.has_value());
+}
+
 detail::Replica* World::Impl::publish(const ReplicaState& state, const ItemsAtTick& items) {
   detail::Replica* replica = snapshots->find_free(state, items);
   if (replica != nullptr &&
@@ -98,15 +136,8 @@ detail::Replica* World::Impl::publish(const ReplicaState& state, const ItemsAtTi
     snapshots->drop(replica);
     replica = nullptr;
   }
-  if (replica == nullptr) {
-    auto copy = std::make_unique<Impl>(*this, History());
-    if (state.tick) {
-      copy->bring_back(history, *state.tick);
-      copy->change_log = change_log;
-      copy->set_version(*this, state.version);
-    }
-    replica = snapshots->add(World(std::move(copy)), state.tick.has_value());
-  }
+  if (replica == nullptr) replica = add_sharing_replica(state, items);
+  if (replica == nullptr) replica = add_replica(state);
   snapshots->hand_out(replica, triangulation.items().size());
   replica->add_first_handle();
   return replica;

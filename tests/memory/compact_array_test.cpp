@@ -34,7 +34,7 @@ std::vector<std::uint32_t> ascending(std::size_t count) {
 TEST(CompactArray, PacksNumbersThatAscendSlowly) {
   for (const std::size_t count : {15U, 16U, 17U, 160U, 1000U}) {
     const std::vector<std::uint32_t> values = ascending(count);
-    CompactArray array{std::vector<std::uint32_t>(values)};
+    CompactArray array(memory::Array<std::uint32_t>{values});
     EXPECT_EQ(bytes_of(array), 4 * count);
     array.pack();
     expect_equal(array, values);
@@ -45,11 +45,11 @@ TEST(CompactArray, PacksNumbersThatAscendSlowly) {
 TEST(CompactArray, StaysPlainIfPackingSavesNothing) {
   std::vector<std::uint32_t> values = ascending(160);
   for (std::size_t i = 0; i < values.size(); i += 16) values[i] += 300;
-  CompactArray array{std::vector<std::uint32_t>(values)};
+  CompactArray array(memory::Array<std::uint32_t>{values});
   array.pack();
   expect_equal(array, values);
   EXPECT_EQ(bytes_of(array), 4U * 160);
-  CompactArray three{std::vector<std::uint32_t>{7, 8, 9}};
+  CompactArray three(memory::Array<std::uint32_t>{std::vector<std::uint32_t>{7, 8, 9}});
   three.pack();
   EXPECT_EQ(bytes_of(three), 12U);
   CompactArray empty;
@@ -62,7 +62,7 @@ TEST(CompactArray, StaysPlainIfPackingSavesNothing) {
 TEST(CompactArray, WidensBlocks) {
   for (const std::uint32_t value : {1000000U, 0U, 0x80000000U, 0xffffffffU, 0x7fffffffU}) {
     std::vector<std::uint32_t> values = ascending(160);
-    CompactArray array{std::vector<std::uint32_t>(values)};
+    CompactArray array(memory::Array<std::uint32_t>{values});
     array.pack();
     for (std::size_t block = 0; block < 10; ++block) {
       values[16 * block + block] = value;
@@ -82,7 +82,7 @@ TEST(CompactArray, AgreesWithAVector) {
   std::size_t packed = 0, plain = 0;
   for (int round = 0; round < 200; ++round) {
     std::vector<std::uint32_t> values = ascending(random.below(400));
-    CompactArray array{std::vector<std::uint32_t>(values)};
+    CompactArray array(memory::Array<std::uint32_t>{values});
     for (int step = 0; step < 60; ++step) {
       const auto value = [&]() -> std::uint32_t {
         if (random.chance(5)) return static_cast<std::uint32_t>(random.next());

@@ -1,4 +1,5 @@
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,8 +8,10 @@
 
 #include "waywright/world.hpp"
 
+#include "base/page_file.hpp"
 #include "memory/allocations.hpp"
 #include "support/random_scenes.hpp"
+#include "support/world_internals.hpp"
 
 // Memory runs out while a world makes a snapshot.
 
@@ -73,6 +76,58 @@ void check_failures(const Scene& scene, bool is_held) {
 TEST_P(SnapshotFailure, OfACopyChangesNothing) { check_failures(random_scene(GetParam(), 1, 14), true); }
 
 TEST_P(SnapshotFailure, OfAReusedCopyCanBeRepeated) { check_failures(random_scene(GetParam(), 2, 14), false); }
+
+/// Fails each allocation of a call that makes a replica with shared pages: of the present, or of a tick. If `has_base`,
+/// the base exists already. Otherwise the call makes it.
+void check_failures_of_shared_pages(const Scene& scene, bool has_base, bool of_a_tick) {
+  if (!base::kHasPageFiles) GTEST_SKIP() << "this system has no page files";
+  std::size_t failures = 0;
+  for (std::size_t n = 1;; ++n, ++failures) {
+    World world = first_half(scene);
+    WorldInternals::share_pages(world);
+    world.keep_history(8);
+    std::vector<WorldSnapshot> held;
+    std::vector<std::string> dumps;
+    const auto hold = [&](WorldSnapshot snapshot) {
+      dumps.push_back(snapshot->dump());
+      held.push_back(std::move(snapshot));
+    };
+    for (std::size_t i = 0; has_base && i < 2; ++i) {
+      world.replace(3, scene.items[i].shape).value();
+      const std::uint64_t tick = world.mark();
+      hold(of_a_tick ? world.publish(tick).value() : world.publish());
+    }
+    world.remove(4).value();  // few changes: the base is not too old
+    const std::uint64_t tick = world.mark();
+    const World then = world.clone();
+    if (of_a_tick) change(world, scene);
+    const World& expected = of_a_tick ? then : world;
+    const std::size_t before = WorldInternals::sharing_replicas(world);
+    ASSERT_EQ(before, held.size());
+    const auto publish = [&] { return of_a_tick ? world.publish(tick).value() : world.publish(); };
+    WorldSnapshot next;
+    const bool is_through = gets_through(n, [&] { next = publish(); });
+    ASSERT_EQ(static_cast<bool>(next), is_through);
+    if (!is_through) next = publish();
+    ASSERT_EQ(WorldInternals::sharing_replicas(world), before + 1);
+    ASSERT_NO_FATAL_FAILURE(expect_equal(*next, expected, n));
+    for (std::size_t i = 0; i < held.size(); ++i) ASSERT_EQ(held[i]->dump(), dumps[i]) << "allocation " << n;
+    if (is_through) break;
+  }
+  EXPECT_GT(failures, 5U);
+}
+
+TEST_P(SnapshotFailure, OfABaseAndAReplicaThatSharesItsPagesChangesNothing) {
+  check_failures_of_shared_pages(random_scene(GetParam(), 7, 14), false, false);
+}
+
+TEST_P(SnapshotFailure, OfAReplicaThatSharesPagesChangesNothing) {
+  check_failures_of_shared_pages(random_scene(GetParam(), 8, 14), true, false);
+}
+
+TEST_P(SnapshotFailure, OfATickWithSharedPagesChangesNothing) {
+  check_failures_of_shared_pages(random_scene(GetParam(), 9, 14), true, true);
+}
 
 /// Fails each allocation of a call that publishes a tick. If `is_held`, the call makes a copy. Otherwise it uses again
 /// a replica of the present or, if `is_late`, one that is older than the tick.

@@ -134,8 +134,8 @@ void print(const HistoryCounts& counts) {
   std::cout << counts.steps << " steps: " << counts.operations << " operations (" << counts.refusals << " refused), "
             << counts.marks << " marks, " << counts.rewinds << " rewinds, " << counts.attempts << " attempts, "
             << counts.snapshots << " snapshots, " << counts.snapshots_of_ticks << " snapshots of ticks, "
-            << counts.comparisons << " snapshots compared again later, " << counts.clones << " clones, " << counts.saves
-            << " saves";
+            << counts.sharing_replicas << " new replicas that share pages, " << counts.comparisons
+            << " snapshots compared again later, " << counts.clones << " clones, " << counts.saves << " saves";
 }
 
 /// Checks random worlds of each flavour, one seed after another, until the worlds of the flavour have made its share of

@@ -15,6 +15,7 @@
 #include "support/random.hpp"
 #include "support/random_changes.hpp"
 #include "support/saved_world_oracle.hpp"
+#include "support/world_internals.hpp"
 
 namespace waywright::test {
 
@@ -111,6 +112,7 @@ class RandomHistory {
         options_{.keep_abstraction = seed % 5 != 1, .keep_bridges = seed % 3 == 0},
         count_(count),
         kept_ticks_(1 + seed % 6),
+        shares_pages_(seed % 2 == 0),
         script_(random_changes(flavour, seed, count, 4 + seed % 20)),
         random_(seed + (static_cast<std::uint64_t>(flavour) << 56)),
         world_(World::create(script_.domain, options_).value()),
@@ -225,8 +227,18 @@ class RandomHistory {
     if (dump) require(*dump == model_of(after, options_).dump, "an attempt sees another mesh than a new world");
   }
 
+  /// Publishes the present or a tick. In half of the histories, replicas share pages although the worlds are small.
+  template <class... Ticks>
+  auto published(Ticks... tick) {
+    if (shares_pages_) WorldInternals::share_pages(world_);
+    const std::size_t before = WorldInternals::sharing_replicas(world_);
+    auto snapshot = world_.publish(tick...);
+    if (WorldInternals::sharing_replicas(world_) > before) ++counts_.sharing_replicas;
+    return snapshot;
+  }
+
   void publish() {
-    WorldSnapshot snapshot = world_.publish();
+    WorldSnapshot snapshot = published();
     const std::uint64_t seed = random_.below(1000);
     Held held{std::move(snapshot), model_, Numbers(world_), Answers(world_, flavour_, seed), seed};
     ++counts_.snapshots;
@@ -236,7 +248,7 @@ class RandomHistory {
 
   void publish_tick() {
     const std::uint64_t number = random_tick();
-    Result<WorldSnapshot> snapshot = world_.publish(number);
+    Result<WorldSnapshot> snapshot = published(number);
     if (!has_tick(number, snapshot)) return;
     const Tick& tick = ticks_.at(number);
     Held held{*std::move(snapshot), tick.model, tick.numbers, tick.answers, tick.seed};
@@ -342,6 +354,7 @@ class RandomHistory {
   WorldOptions options_;
   std::size_t count_;
   std::size_t kept_ticks_;
+  bool shares_pages_;
   ChangeScript script_;
   std::size_t next_ = 0;  ///< the next step of the script
   Random random_;
@@ -367,6 +380,7 @@ HistoryCounts& HistoryCounts::operator+=(const HistoryCounts& other) {
   snapshots += other.snapshots;
   snapshots_of_ticks += other.snapshots_of_ticks;
   comparisons += other.comparisons;
+  sharing_replicas += other.sharing_replicas;
   clones += other.clones;
   saves += other.saves;
   return *this;

@@ -19,6 +19,7 @@ struct HistoryCounts {
   std::size_t snapshots = 0;
   std::size_t snapshots_of_ticks = 0;
   std::size_t comparisons = 0;  ///< comparisons of a snapshot with the state that it was made from, some time later
+  std::size_t sharing_replicas = 0;  ///< replicas that share pages
   std::size_t clones = 0;
   std::size_t saves = 0;
 

@@ -24,7 +24,7 @@ struct SquareMesh {
         {d, c, ghost},
         {a, d, ghost},
     }};
-    std::vector<mesh::TriangleMesh::HalfEdgeRecord> half_edges;
+    memory::Array<mesh::TriangleMesh::HalfEdgeRecord> half_edges;
     for (const auto& face : faces) {
       for (const Vertex v : face) half_edges.push_back({0, v});
     }
@@ -34,7 +34,7 @@ struct SquareMesh {
         if (half_edges[g].origin == target(h) && half_edges[h].origin == target(g)) half_edges[g].twin = h;
       }
     }
-    mesh = mesh::TriangleMesh(half_edges, 5);
+    mesh = mesh::TriangleMesh(std::move(half_edges), 5);
   }
 };
 

@@ -143,6 +143,24 @@ TEST(SnapshotOfATick, IsTheWorldOfThatTick) {
   EXPECT_TRUE(world.rewind(tick).ok());  // the world still has the tick
 }
 
+// After the snapshot of a far tick, those of near ticks use one replica again: only few items differ between them.
+TEST(SnapshotOfATick, CostsLittleAfterThatOfAFarTick) {
+  World world = World::create({{0, 0}, {1000, 1000}}).value();
+  world.keep_history(200);
+  for (int i = 0; i < 200; ++i) {
+    world.insert_point({1.0 + i, 1}).value();
+    world.mark();
+  }
+  static_cast<void>(world.publish(1).value());
+  const World* replica = nullptr;
+  for (std::uint64_t tick = 199; tick > 150; --tick) {
+    const WorldSnapshot snapshot = world.publish(tick).value();
+    EXPECT_EQ(snapshot->item_count(), tick);
+    if (replica == nullptr) replica = &*snapshot;
+    EXPECT_EQ(&*snapshot, replica) << tick;
+  }
+}
+
 TEST(SnapshotOfATick, NeedsAKnownTick) {
   World world = World::create(kTen).value();
   EXPECT_EQ(world.publish(1).error().code, ErrorCode::no_history);

@@ -1,0 +1,49 @@
+#include "memory/arena.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "memory/zeroed_memory.hpp"
+
+namespace waywright::memory {
+
+namespace {
+
+/// The arrays in an arena start at multiples of this number of bytes.
+constexpr std::size_t kAlignment = 64;
+
+thread_local Arena* arena_of_thread = nullptr;
+
+}  // namespace
+
+std::unique_ptr<Arena> Arena::make(std::size_t size) {
+  if (!base::kHasPageFiles || !may_map_pages()) return nullptr;
+  std::unique_ptr<Arena> arena(new Arena(size, nullptr));
+  arena->file_ = base::PageFile::make(size);
+  if (arena->file_) arena->start_ = arena->file_->map();
+  return arena->start_ == nullptr ? nullptr : std::move(arena);
+}
+
+std::unique_ptr<Arena> Arena::share() const {
+  std::unique_ptr<Arena> arena(new Arena(size_, this));
+  arena->start_ = file_->map_copy();
+  return arena->start_ == nullptr ? nullptr : std::move(arena);
+}
+
+void* Arena::copy(const void* block, std::size_t size, std::size_t capacity) noexcept {
+  if (base_ != nullptr) {
+    if (!base_->contains(block)) return nullptr;
+    return start_ + (static_cast<const std::byte*>(block) - base_->start_);
+  }
+  if (capacity > size_ - used_) return nullptr;
+  std::byte* const place = start_ + used_;
+  if (size != 0) std::memcpy(place, block, size);
+  used_ = std::min((used_ + capacity + kAlignment - 1) / kAlignment * kAlignment, size_);
+  return place;
+}
+
+ArenaScope::ArenaScope(Arena& arena) { arena_of_thread = &arena; }
+ArenaScope::~ArenaScope() { arena_of_thread = nullptr; }
+Arena* ArenaScope::arena() { return arena_of_thread; }
+
+}  // namespace waywright::memory
