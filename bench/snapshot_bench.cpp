@@ -113,7 +113,7 @@ void time_publish(benchmark::State& state, std::size_t vertices, Holding holding
 
 /// Times publish() after every kChanges moves while a reader holds all snapshots. Counts the memory of each.
 void time_publish_held(benchmark::State& state, std::size_t vertices) {
-  constexpr std::size_t kFirst = 3;  // copies of the world: two snapshots, and the base of the others
+  constexpr std::size_t kFirst = 4;  // copies of the world: three snapshots, and the base of the others
   constexpr std::size_t kHeld = 10;
   Town town(vertices);
   TownChanger changer(town, Changes::moves);

@@ -88,9 +88,9 @@ void operator delete[](void* memory, std::align_val_t alignment, const std::noth
   give_back(memory, number(alignment));
 }
 
-// The library takes memory that does not come from `operator new` only as these three functions allow. It defines them
-// in src/memory/zeroed_memory.cpp.
-// The linker takes these definitions instead, because it finds them before it looks into the static library.
+// Besides `operator new`, the library takes memory from these three functions, or after the third has allowed it. The
+// static library defines them in src/memory/zeroed_memory.cpp. The linker takes the definitions here instead of those,
+// because it finds them first.
 namespace waywright::memory {
 
 void* allocate_zeroed(std::size_t count, std::size_t size) noexcept {

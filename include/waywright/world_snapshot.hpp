@@ -64,13 +64,14 @@ inline constexpr char kEmptySnapshot[] =
 /// have changed (see World::publish). After the first call, each operation also records the ids of the items that it
 /// changes, 16 bytes for each. World::shrink_to_fit() frees the replicas that the world keeps for later snapshots.
 ///
-/// The first two snapshots of each kind that readers hold at once take as much memory as a clone() each. On Linux, if
-/// the world takes 4 MB or more, all further snapshots share pages of memory with one more copy of the world, the
-/// *base*. Such a snapshot takes memory only for what has changed since the base was made: about 80 kB for each polygon
+/// The first three snapshots of each kind that readers hold at once take as much memory as a clone() each. On Linux, if
+/// the world takes 4 MB or more, further snapshots can share pages of memory with one more copy of the world, the
+/// *base*. Such a snapshot takes memory only for what has changed since the base was made: about 90 kB for each polygon
 /// that moves among 10^6 vertices. (A replica that is used again also keeps the memory for its earlier changes.) When
-/// about n / 1024 of the n items have changed since the base, World::publish() makes a new base for later replicas. On
-/// other systems, each snapshot takes as much memory as a clone(). So does a replica that is attached to a snapshot,
-/// unless it shares pages.
+/// about n / 512 of the n items have changed since the base, World::publish() makes a new base for later replicas. A
+/// base also keeps a file open. On other systems, or if the system refuses the file, each snapshot takes as much memory
+/// as a clone(). So does a replica that is attached to a snapshot, unless it shares pages. World::memory() counts
+/// shared pages once for each replica.
 ///
 /// When a thread has released or destroyed the last handle of an immutable world, the original world keeps the memory
 /// of the immutable world for a later call of World::publish(). If the original world no longer needs this memory, or

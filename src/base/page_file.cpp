@@ -1,28 +1,45 @@
 #include "base/page_file.hpp"
 
 #if defined(__linux__)
+#include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 #endif
 
 namespace waywright::base {
 
-#if defined(__linux__)
+#if defined(__linux__) && defined(SYS_memfd_create)
 
 namespace {
 
-std::byte* map_file(std::size_t size, int descriptor, int kind) noexcept {
-  void* const address = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, kind, descriptor, 0);
+/// Some C libraries lack the function memfd_create(), so the code makes the system call itself. A new kernel wants to
+/// be told that the file contains no program; an old one refuses the flag for this.
+int make_descriptor() noexcept {
+  constexpr unsigned kCloseOnExec = 1;
+  constexpr unsigned kNoProgram = 8;
+  const auto sealed = ::syscall(SYS_memfd_create, "waywright", kCloseOnExec | kNoProgram);
+  return static_cast<int>(sealed >= 0 ? sealed : ::syscall(SYS_memfd_create, "waywright", kCloseOnExec));
+}
+
+/// Whether files may be so large. If the program made a larger one, a signal would end it.
+bool is_allowed(std::size_t size) noexcept {
+  ::rlimit limit{};
+  if (::getrlimit(RLIMIT_FSIZE, &limit) != 0) return false;
+  return limit.rlim_cur == RLIM_INFINITY || size <= limit.rlim_cur;
+}
+
+std::byte* map_file(std::size_t size, int descriptor, int flags) noexcept {
+  void* const address = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, flags, descriptor, 0);
   return address == MAP_FAILED ? nullptr : static_cast<std::byte*>(address);
 }
 
 }  // namespace
 
-// Some C libraries lack the function memfd_create(), so the code makes the system call itself.
 std::optional<PageFile> PageFile::make(std::size_t size) noexcept {
-  constexpr unsigned kCloseOnExec = 1;
-  const int descriptor = static_cast<int>(::syscall(SYS_memfd_create, "waywright", kCloseOnExec));
+  if (!is_allowed(size)) return std::nullopt;
+  const int descriptor = make_descriptor();
   if (descriptor < 0) return std::nullopt;
   PageFile file(size, descriptor);
   if (::ftruncate(descriptor, static_cast<::off_t>(size)) != 0) return std::nullopt;
@@ -33,6 +50,10 @@ PageFile::~PageFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
+bool PageFile::reserve(std::size_t start, std::size_t size) const noexcept {
+  return size == 0 || ::fallocate(descriptor_, 0, static_cast<::off_t>(start), static_cast<::off_t>(size)) == 0;
+}
+
 std::byte* PageFile::map() const noexcept { return map_file(size_, descriptor_, MAP_SHARED); }
 std::byte* PageFile::map_copy() const noexcept { return map_file(size_, descriptor_, MAP_PRIVATE); }
 void PageFile::unmap(std::byte* address, std::size_t size) noexcept { ::munmap(address, size); }
@@ -41,6 +62,7 @@ void PageFile::unmap(std::byte* address, std::size_t size) noexcept { ::munmap(a
 
 std::optional<PageFile> PageFile::make(std::size_t /*size*/) noexcept { return std::nullopt; }
 PageFile::~PageFile() = default;
+bool PageFile::reserve(std::size_t /*start*/, std::size_t /*size*/) const noexcept { return false; }
 std::byte* PageFile::map() const noexcept { return nullptr; }
 std::byte* PageFile::map_copy() const noexcept { return nullptr; }
 void PageFile::unmap(std::byte* /*address*/, std::size_t /*size*/) noexcept {}

@@ -6,19 +6,20 @@
 
 namespace waywright::base {
 
-/// Whether this system has page files. Elsewhere, PageFile::make() returns nothing.
+/// Whether PageFile::make() can succeed on this system. It may still fail, for example in a sandbox.
 #if defined(__linux__)
 inline constexpr bool kHasPageFiles = true;
 #else
 inline constexpr bool kHasPageFiles = false;
 #endif
 
-/// A file in memory, without a name. A program maps its pages into its address space as often as it wants. The
-/// mappings take physical memory only once for each page that no copy has changed.
+/// A file in memory, without a name. A program maps the file into its address space: once, to write its contents, and
+/// then as often as it wants, as private copies. A page of the file takes physical memory once, and once more for each
+/// copy that has changed the page.
 class PageFile {
  public:
-  /// Makes a file of `size` zero bytes. A page takes memory when the program writes to it. Returns nothing if the
-  /// system has no page files or refuses.
+  /// Makes a file of `size` zero bytes. A page takes memory when the program reserves or writes it. Returns nothing if
+  /// the system refuses.
   [[nodiscard]] static std::optional<PageFile> make(std::size_t size) noexcept;
   PageFile(PageFile&& other) noexcept : size_(other.size_), descriptor_(std::exchange(other.descriptor_, -1)) {}
   PageFile& operator=(PageFile&& other) noexcept {
@@ -29,14 +30,16 @@ class PageFile {
   /// Closes the file. The mappings stay valid.
   ~PageFile();
 
-  [[nodiscard]] std::size_t size() const { return size_; }
+  /// Takes the memory for `size` bytes at `start`. Returns false if there is not enough memory. Without this call, the
+  /// system would end the program if it has no memory for a page to which the program writes.
+  [[nodiscard]] bool reserve(std::size_t start, std::size_t size) const noexcept;
 
   // The next two functions return null if the system refuses. The caller must call unmap().
 
   /// Maps the file. What the program writes to this memory, it writes to the file.
   [[nodiscard]] std::byte* map() const noexcept;
-  /// Maps a copy of the file. The system copies a page when the program writes to it, and writes never go to the file.
-  /// Requires: from now on, nobody writes to the file.
+  /// Maps a private copy of the file. The system copies a page when the program first writes to it. Requires: from now
+  /// on, nobody writes to the file.
   [[nodiscard]] std::byte* map_copy() const noexcept;
   static void unmap(std::byte* address, std::size_t size) noexcept;
 

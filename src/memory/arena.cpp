@@ -1,16 +1,15 @@
 #include "memory/arena.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cstring>
+#include <utility>
 
 #include "memory/zeroed_memory.hpp"
 
 namespace waywright::memory {
 
 namespace {
-
-/// The arrays in an arena start at multiples of this number of bytes.
-constexpr std::size_t kAlignment = 64;
 
 thread_local Arena* arena_of_thread = nullptr;
 
@@ -25,25 +24,27 @@ std::unique_ptr<Arena> Arena::make(std::size_t size) {
 }
 
 std::unique_ptr<Arena> Arena::share() const {
+  assert(file_);
   std::unique_ptr<Arena> arena(new Arena(size_, this));
   arena->start_ = file_->map_copy();
   return arena->start_ == nullptr ? nullptr : std::move(arena);
 }
 
-void* Arena::copy(const void* block, std::size_t size, std::size_t capacity) noexcept {
+// The values have implicit lifetimes (they are trivially copyable), so the copied bytes are objects.
+void* Arena::copy(const void* original, std::size_t size, std::size_t capacity) noexcept {
   if (base_ != nullptr) {
-    if (!base_->contains(block)) return nullptr;
-    return start_ + (static_cast<const std::byte*>(block) - base_->start_);
+    if (!base_->contains(original)) return nullptr;
+    return start_ + (static_cast<const std::byte*>(original) - base_->start_);
   }
-  if (capacity > size_ - used_) return nullptr;
+  if (capacity > size_ - used_ || !file_->reserve(used_, size)) return nullptr;
   std::byte* const place = start_ + used_;
-  if (size != 0) std::memcpy(place, block, size);
+  if (size != 0) std::memcpy(place, original, size);
   used_ = std::min((used_ + capacity + kAlignment - 1) / kAlignment * kAlignment, size_);
   return place;
 }
 
-ArenaScope::ArenaScope(Arena& arena) { arena_of_thread = &arena; }
-ArenaScope::~ArenaScope() { arena_of_thread = nullptr; }
+ArenaScope::ArenaScope(Arena& arena) : outer_(std::exchange(arena_of_thread, &arena)) {}
+ArenaScope::~ArenaScope() { arena_of_thread = outer_; }
 Arena* ArenaScope::arena() { return arena_of_thread; }
 
 }  // namespace waywright::memory

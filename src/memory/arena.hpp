@@ -10,21 +10,24 @@
 
 namespace waywright::memory {
 
-/// Memory for the arrays (Array, Pages) of a large object that does not change, the *base*, or of a copy of the base.
-/// The base and its copies share pages: the system copies a page only when the program writes to it. So a copy takes
-/// little time to make, and takes memory only for the pages in which it differs from the base.
+/// Memory for the arrays (Array, Pages) of a large object. There are two kinds. make() makes an arena for an object
+/// that never changes again, the *base*. share() makes an arena for a copy of the base. The two share pages of memory:
+/// the system copies a page only when the program first writes to it. So a copy takes little time to make, and takes
+/// memory only for the pages in which it differs from the base.
 ///
 ///     const std::unique_ptr<Arena> arena = Arena::make(size);
 ///     const Large base = [&] { ArenaScope scope(*arena); return Large(original); }();  // copies the arrays
 ///     const std::unique_ptr<Arena> second = arena->share();
 ///     Large copy = [&] { ArenaScope scope(*second); return Large(base); }();  // `second` has the arrays already
 ///
-/// An arena must outlive the objects with arrays in it. The arena of the base may be destroyed before those of the
-/// copies.
+/// An arena must outlive the objects with arrays in it. The base and its arena may be destroyed before the copies.
 class Arena {
  public:
-  /// Returns an empty arena with room for `size` bytes, or null if the system cannot share pages. Memory that contains
-  /// nothing takes only addresses.
+  /// Each array in an arena starts at a multiple of this number of bytes.
+  static constexpr std::size_t kAlignment = 64;
+
+  /// Returns an empty arena with room for `size` bytes, or null if the system cannot share pages. Room that contains no
+  /// array takes no physical memory.
   [[nodiscard]] static std::unique_ptr<Arena> make(std::size_t size);
   /// Returns an arena that shares the pages of this one, or null if the system refuses. Requires: make() has made this
   /// arena, and from now on, nobody writes to the arrays in it.
@@ -37,13 +40,15 @@ class Arena {
 
   /// Returns whether the memory at this address belongs to the arena.
   [[nodiscard]] bool contains(const void* address) const {
-    const auto* const place = static_cast<const std::byte*>(address);
-    return !std::less<>()(place, static_cast<const std::byte*>(start_)) && std::less<>()(place, start_ + size_);
+    const std::less<const void*> is_before;
+    return !is_before(address, start_) && is_before(address, start_ + size_);
   }
-  /// Returns the copy of a block of `size` bytes in this arena, or null if there is none. In an arena from share(),
-  /// each block of the base has a copy already. In an arena from make(), the function makes one, and leaves room for
-  /// `capacity` bytes.
-  [[nodiscard]] void* copy(const void* block, std::size_t size, std::size_t capacity) noexcept;
+  /// Returns memory in this arena that contains a copy of the `size` bytes at `original`, or null if the caller must
+  /// take other memory. If make() has made this arena, the function copies the bytes, and leaves room for `capacity`
+  /// bytes. It returns null if there is no room or no memory. If share() has made this arena, the function copies
+  /// nothing: it returns the address in this arena that corresponds to `original`, or null if `original` is not in the
+  /// arena of the base. Requires: in this case, the base still exists.
+  [[nodiscard]] void* copy(const void* original, std::size_t size, std::size_t capacity) noexcept;
 
  private:
   Arena(std::size_t size, const Arena* base) : size_(size), base_(base) {}
@@ -65,6 +70,9 @@ class ArenaScope {
 
   /// Returns the arena of the scope on this thread, or null.
   [[nodiscard]] static Arena* arena();
+
+ private:
+  Arena* outer_;  ///< the arena of the scope around this one, or null
 };
 
 }  // namespace waywright::memory

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cstddef>
 #include <memory>
+#include <new>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -20,6 +21,7 @@ namespace waywright::memory {
 template <class Value>
 class Array {
   static_assert(std::is_trivially_copyable_v<Value> && std::is_trivially_destructible_v<Value>);
+  static_assert(alignof(Value) <= Arena::kAlignment && alignof(Value) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
 
  public:
   using value_type = Value;
@@ -28,7 +30,8 @@ class Array {
   explicit Array(std::size_t size, const Value& value = Value()) { resize(size, value); }
   explicit Array(std::span<const Value> values) {
     reserve(values.size());
-    for (const Value& value : values) push_back(value);
+    std::copy_n(values.data(), values.size(), values_);
+    size_ = values.size();
   }
   Array(const Array& other) { copy(other); }
   Array(Array&& other) noexcept { swap(other); }
@@ -39,7 +42,7 @@ class Array {
     return *this;
   }
   ~Array() {
-    if (!is_in_arena_ && capacity_ != 0) std::allocator<Value>().deallocate(values_, capacity_);
+    if (!is_in_arena_) ::operator delete(values_);
   }
   void swap(Array& other) noexcept {
     std::swap(values_, other.values_);
@@ -97,13 +100,13 @@ class Array {
     if (size > size_) std::fill(values_ + size_, values_ + size, kept);
     size_ = size;
   }
-  /// Frees the spare capacity. An array in an arena keeps it.
-  void shrink_to_fit() {
+  /// Frees the spare capacity. If there is no memory for a smaller array, or if the array is in an arena, does nothing.
+  void shrink_to_fit() noexcept {
     if (size_ == capacity_ || is_in_arena_) return;
     if (size_ == 0) {
       *this = Array();
-    } else {
-      move_to(size_);
+    } else if (void* const memory = ::operator new(size_ * sizeof(Value), std::nothrow)) {
+      move_to(memory, size_);
     }
   }
 
@@ -131,12 +134,15 @@ class Array {
   }
   [[nodiscard]] std::size_t larger_capacity(std::size_t least) const { return std::max(least, 2 * capacity_); }
   WAYWRIGHT_NO_INLINE void move_to(std::size_t capacity) {
-    Array larger;
-    larger.values_ = std::allocator<Value>().allocate(capacity);
-    larger.capacity_ = capacity;
-    if (size_ != 0) std::copy_n(values_, size_, larger.values_);
-    larger.size_ = size_;
-    swap(larger);
+    move_to(std::allocator<Value>().allocate(capacity), capacity);  // the allocator refuses sizes that are too large
+  }
+  void move_to(void* memory, std::size_t capacity) noexcept {
+    Array moved;
+    moved.values_ = static_cast<Value*>(memory);
+    moved.capacity_ = capacity;
+    std::copy_n(values_, size_, moved.values_);
+    moved.size_ = size_;
+    swap(moved);
   }
 
   Value* values_ = nullptr;

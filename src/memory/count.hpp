@@ -24,7 +24,7 @@ void count_spare(MemoryUse& use, const Vectors&... vectors) {
 /// operations add elements without a copy of the whole array.
 [[nodiscard]] constexpr std::size_t with_spare(std::size_t count) { return count + count / 64; }
 
-/// Frees the unused capacity of vectors. If there is no memory for a smaller array, the vector does not change.
+/// Frees the unused capacity of vectors and arrays. If there is no memory for a smaller one, it does not change.
 template <class... Vectors>
 void shrink(Vectors&... vectors) {
   (vectors.shrink_to_fit(), ...);

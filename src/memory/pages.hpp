@@ -17,7 +17,8 @@ namespace waywright::memory {
 /// A sparse array: values by index, stored in pages. Use it for data that most vertices, edges or items of a large
 /// world do not have: make_room() allocates a page only when its first value needs room. A page is not freed before
 /// clear(), so a program can write a value again without an allocation if it has written the value before. The values
-/// of a new page are Value{}. A page has kPageSize values.
+/// of a new page are Value{}. A page has kPageSize values. If an object is made by a copy in an arena, the arena must
+/// outlive it.
 template <class Value, std::size_t kPageSize = 1024>
 class Pages {
  public:
@@ -35,8 +36,8 @@ class Pages {
   Pages(Pages&& other) noexcept { swap(other); }
   Pages& operator=(const Pages&) = delete;
   Pages& operator=(Pages&& other) noexcept {
+    Pages old(std::move(*this));
     swap(other);
-    other.clear();
     return *this;
   }
   ~Pages() { clear(); }
@@ -68,7 +69,7 @@ class Pages {
   }
   [[nodiscard]] Value& operator[](std::size_t index) { return (*pages_[index / kPageSize])[index % kPageSize]; }
 
-  /// Removes all values and frees their memory.
+  /// Removes all values and frees their memory. (Pages in an arena stay there.)
   void clear() {
     for (Page*& page : pages_) free(std::exchange(page, nullptr));
     page_count_ = 0;
@@ -83,7 +84,7 @@ class Pages {
 
  private:
   using Page = std::array<Value, kPageSize>;
-  static_assert(std::is_trivially_copyable_v<Page>);
+  static_assert(std::is_trivially_copyable_v<Page> && alignof(Page) <= Arena::kAlignment);
 
   WAYWRIGHT_NO_INLINE void add_page(std::size_t index) {
     pages_[index] = new Page();

@@ -6,7 +6,8 @@ namespace waywright {
 
 void ChangedItems::forget_until(std::uint64_t version) { complete_since_ = std::max(complete_since_, version); }
 
-// If an item has changed after `complete_since_`, the record contains it already, with this later version.
+// If an item has changed after `complete_since_`, the record has an entry for this change already. So no new entry
+// needs a version after `complete_since_`, and the entries stay in ascending order.
 void ChangedItems::extend_to(std::uint64_t version, std::vector<Entry> changed) {
   drop_forgotten();
   for (Entry& entry : changed) entry.version = std::min(entry.version, complete_since_);

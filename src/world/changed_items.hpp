@@ -26,16 +26,16 @@ class ChangedItems {
   /// Lets the record drop the changes up to `version`. Does nothing if it has dropped them already.
   void forget_until(std::uint64_t version);
 
-  /// An item, and the version of the world after its last change.
+  /// An item, and a version of the world that is not before its last change.
   struct Entry {
     std::uint64_t version;
     ItemId id;
   };
 
   /// Makes the record reach back to `version`. `changed` are the items that differ between the world of this version
-  /// and the present world, and the record then contains them. The version of an item may be that of any later tick.
-  /// (The record may lack an item that has changed since `version`, if a rewind has taken this change back.) Requires:
-  /// the record does not reach back to `version`.
+  /// and the present world, and the record then contains them. The version of an item may be much later than its last
+  /// change. (The record may lack an item that has changed since `version`, if a rewind has taken this change back.)
+  /// Requires: the record does not reach back to `version`.
   void extend_to(std::uint64_t version, std::vector<Entry> changed);
 
   /// Records an item that an operation inserts or removes. `version` is the version of the world after this operation.
@@ -49,8 +49,8 @@ class ChangedItems {
   /// Returns whether the record reaches back to `version`: it has all items that have changed after this version,
   /// except those that it may lack after extend_to().
   [[nodiscard]] bool has_all_since(std::uint64_t version) const { return version >= complete_since_; }
-  /// Writes the items that have changed after `version` to `ids`, in the order of their last changes. Items with the
-  /// same last change ascend by id. Requires: has_all_since(version).
+  /// Writes the items that have changed after `version` to `ids`, in the order of their versions (see Entry).
+  /// Items with the same version ascend by id. Requires: has_all_since(version).
   /// Cost: n log n in the changes after `version`.
   void since(std::uint64_t version, std::vector<ItemId>& ids);
 

@@ -38,7 +38,7 @@ class ItemsAtTick {
     return true;
   }
 
-  /// Returns the answer of History::version_after() for one of the changed items.
+  /// Returns the answer of History::version_after(). Requires: changed() contains the item.
   [[nodiscard]] std::optional<std::uint64_t> version_after(const History::ChangedItem& item) const {
     return history_->version_after(item);
   }

@@ -58,6 +58,11 @@ SnapshotPool::Replicas::iterator SnapshotPool::find_oldest(Matches&& matches) {
   return oldest;
 }
 
+template <class Matches>
+std::size_t SnapshotPool::count(Matches&& matches) const {
+  return static_cast<std::size_t>(std::count_if(replicas_.begin(), replicas_.end(), matches));
+}
+
 Replica* SnapshotPool::add_handle_of(const ReplicaState& state) const {
   for (Replica* const replica : replicas_) {
     const World& world = replica->world;
@@ -115,22 +120,33 @@ bool SnapshotPool::find_changed(std::uint64_t version, const ItemsAtTick& items,
   return ids_.size() <= limit + items.changed().size();
 }
 
-bool SnapshotPool::should_share(std::size_t bytes, bool serves_ticks) const {
-  if (!base::kHasPageFiles || bytes < least_shared_) return false;
-  const auto serves_same = [&](const Replica* replica) { return replica->serves_ticks() == serves_ticks; };
-  return std::count_if(replicas_.begin(), replicas_.end(), serves_same) >= static_cast<std::ptrdiff_t>(most_own_);
+bool SnapshotPool::may_share(const ReplicaState& state, const ItemsAtTick& items) const {
+  if (!can_share_ || items.changed().size() > limit_ / kLimitDivisor) return false;
+  const auto is_held = [&](const Replica* replica) {
+    return replica->serves_ticks() == state.tick.has_value() && !replica->is_free();
+  };
+  return count(is_held) >= own_;
 }
 
-const Replica* SnapshotPool::find_base(const ReplicaState& state, const ItemsAtTick& items) {
-  extend_record(state.version, items);
+const Replica* SnapshotPool::find_base(const ItemsAtTick& items) {
   if (base_ == nullptr || !can_follow(*base_)) return nullptr;
-  return find_changed(base_->world.version(), items, limit_ / kPartForBase) ? base_ : nullptr;
+  return find_changed(base_->world.version(), items, limit_ / kLimitDivisor) ? base_ : nullptr;
 }
 
-void SnapshotPool::set_base(World&& copy, std::unique_ptr<memory::Arena> arena) {
-  auto* const base = new Replica(std::move(copy), std::move(arena), false);
-  if (base_ != nullptr) base_->release();
-  base_ = base;
+bool SnapshotPool::should_make_base() { return std::exchange(of_base_, least_sharing_) >= least_sharing_; }
+
+// `new` allocates before it moves the arena into the replica. So if memory runs out, the caller still has the arena,
+// and frees it after the copy.
+void SnapshotPool::set_base(World&& copy, std::unique_ptr<memory::Arena>&& arena) {
+  Replica* const base = new Replica(std::move(copy), std::move(arena), base_number_ + 1, false);
+  if (Replica* const old = std::exchange(base_, base)) old->release();
+  ++base_number_;
+  of_base_ = 0;
+}
+
+void SnapshotPool::stop_sharing() {
+  can_share_ = false;
+  if (Replica* const old = std::exchange(base_, nullptr)) old->release();
 }
 
 void SnapshotPool::drop(Replica* replica) {
@@ -138,18 +154,21 @@ void SnapshotPool::drop(Replica* replica) {
   replica->release();
 }
 
-Replica* SnapshotPool::add(World&& copy, std::unique_ptr<memory::Arena> arena, bool serves_ticks) {
-  replicas_.reserve(kMost + 1);
+Replica* SnapshotPool::add(World&& copy, std::unique_ptr<memory::Arena>&& arena, bool serves_ticks) {
   const bool is_sharing = arena != nullptr;
-  replicas_.push_back(new Replica(std::move(copy), std::move(arena), serves_ticks));
-  if (is_sharing) ++sharing_count_;
+  replicas_.reserve(kMost + 1);
+  replicas_.push_back(new Replica(std::move(copy), std::move(arena), base_number_, serves_ticks));
+  if (is_sharing) {
+    ++of_base_;
+    ++sharing_count_;
+  }
   return replicas_.back();
 }
 
 void SnapshotPool::hand_out(Replica* replica, std::size_t item_count) {
   replicas_.erase(std::find(replicas_.begin(), replicas_.end(), replica));
   release_too_old();
-  replica->release_with_last_handle(take_unneeded());
+  replica->release_with_last_handle(take_unneeded(*replica));
   replicas_.push_back(replica);
   limit_ = kFewChanges + item_count / kItemsForEachChange;
   changed_.set_limit(limit_);
@@ -169,18 +188,21 @@ void SnapshotPool::release_too_old() {
   replicas_.erase(oldest);
 }
 
-Replica* SnapshotPool::take_unneeded() {
+Replica* SnapshotPool::take_unneeded(const Replica& handed_out) {
+  const auto shares = [](const Replica* replica) { return replica->arena != nullptr; };
   auto oldest = find_oldest([&](const Replica* replica) { return replica->is_free() && !can_follow(*replica); });
   for (const bool of_ticks : {false, true}) {
     const auto is_spare = [&](const Replica* replica) {
       return replica->is_free() && replica->serves_ticks() == of_ticks;
     };
-    const auto count = static_cast<std::size_t>(std::count_if(replicas_.begin(), replicas_.end(), is_spare));
-    if (oldest == replicas_.end() && count > kMostFree) oldest = find_oldest(is_spare);
+    if (oldest != replicas_.end() || count(is_spare) <= kMostFree) continue;
+    oldest = find_oldest([&](const Replica* replica) { return is_spare(replica) && shares(replica); });
+    if (oldest == replicas_.end()) oldest = find_oldest(is_spare);
   }
   if (oldest == replicas_.end()) {
-    const bool is_base_kept = base_ == nullptr || can_follow(*base_);
-    return is_base_kept ? nullptr : std::exchange(base_, nullptr);
+    const bool is_shared = shares(&handed_out) || count(shares) != 0;
+    const bool is_unneeded = base_ != nullptr && (!is_shared || !can_follow(*base_));
+    return is_unneeded ? std::exchange(base_, nullptr) : nullptr;
   }
   Replica* const unneeded = *oldest;
   replicas_.erase(oldest);

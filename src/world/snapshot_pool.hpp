@@ -36,11 +36,16 @@ namespace detail {
 /// the thread that changes the world.
 class Replica {
  public:
-  /// Makes a replica that only the pool owns. `arena_of_copy` contains arrays of the copy, or is null.
-  Replica(World&& copy, std::unique_ptr<memory::Arena> arena_of_copy, bool serves_ticks)
-      : arena(std::move(arena_of_copy)), world(std::move(copy)), serves_ticks_(serves_ticks) {}
+  /// Makes a replica that only the pool owns. `arena_of_copy` contains arrays of the copy, or is null. `base_number` is
+  /// the number of the base whose pages the replica shares.
+  Replica(World&& copy, std::unique_ptr<memory::Arena>&& arena_of_copy, std::uint32_t base_number, bool serves_ticks)
+      : arena(std::move(arena_of_copy)),
+        world(std::move(copy)),
+        base_number_(base_number),
+        serves_ticks_(serves_ticks) {}
 
   [[nodiscard]] bool serves_ticks() const { return serves_ticks_; }
+  [[nodiscard]] std::uint32_t base_number() const { return base_number_; }
 
   /// Returns whether this replica is free: no snapshot refers to it, and the pool owns it.
   [[nodiscard]] bool is_free() const { return owners_.load(std::memory_order_acquire) == 1; }
@@ -74,6 +79,7 @@ class Replica {
   std::atomic<std::size_t> handles_ = 0;
   std::atomic<std::uint32_t> owners_ = 1;
   Replica* released_with_last_handle_ = nullptr;
+  std::uint32_t base_number_;
   bool serves_ticks_;
   bool is_too_old_ = false;
 };
@@ -101,10 +107,10 @@ struct ReplicaScratch {
 /// The replicas of a world, and the changes that they have not repeated yet. A replica *follows* the world if it
 /// repeats these changes, or goes back to the state of a tick (World::Impl::follow()).
 ///
-/// The first two replicas have memory of their own. If readers hold them, each new replica of a large world shares
-/// pages with the *base*: a copy of the world that nobody reads and nobody changes. Such a replica takes memory only
-/// for what has changed since the base was made. But a change takes longer if the system must copy a page for it, so
-/// a program whose readers hold only one or two snapshots gets replicas without shared pages.
+/// The first three replicas of a kind have memory of their own. If readers hold three, each new replica of a large
+/// world shares pages with the *base*: a copy of the world that nobody reads and nobody changes. Such a replica takes
+/// memory only for what has changed since the pool made the base. But a change takes longer if the system must copy a
+/// page for it. So a program whose readers hold one or two snapshots at once gets replicas without shared pages.
 ///
 /// Threads: the pool belongs to the thread that changes the world, but count_memory() is a query.
 class SnapshotPool {
@@ -132,16 +138,24 @@ class SnapshotPool {
 
   /// Takes a free replica out of the pool and frees it.
   void drop(detail::Replica* replica);
-  /// Returns whether a new replica should share pages with the base. `bytes` is the memory of the world.
-  [[nodiscard]] bool should_share(std::size_t bytes, bool serves_ticks) const;
-  /// Returns the base, if a copy of it can follow the world to this state and few items differ. Otherwise returns null.
-  /// changed() then has the items that may differ.
-  [[nodiscard]] const detail::Replica* find_base(const ReplicaState& state, const ItemsAtTick& items);
-  /// Replaces the base by a copy of the present world. `arena` contains arrays of the copy.
-  void set_base(World&& copy, std::unique_ptr<memory::Arena> arena);
+  /// Returns whether a new replica for this state should share pages with the base, if the world is large.
+  [[nodiscard]] bool may_share(const ReplicaState& state, const ItemsAtTick& items) const;
+  /// The memory that a world must have so that its replicas share pages, in bytes.
+  [[nodiscard]] std::size_t least_shared() const { return least_shared_; }
+  /// Returns the base, if a copy of it can follow the world to the state with these items, and few items differ.
+  /// Otherwise returns null. changed() then has the items that may differ. Requires: find_free() has been called for
+  /// this state.
+  [[nodiscard]] const detail::Replica* find_base(const ItemsAtTick& items);
+  /// Returns whether a new base is worthwhile. If the answer is false, the next answer is true.
+  [[nodiscard]] bool should_make_base();
+  /// Replaces the base by a copy of the present world. `arena` contains arrays of the copy. If memory runs out, changes
+  /// nothing.
+  void set_base(World&& copy, std::unique_ptr<memory::Arena>&& arena);
+  /// Frees the base, and lets no new replica share pages any more: the system refuses it.
+  void stop_sharing();
   /// Makes a replica of a copy of the world, and adds it to the pool. `arena` contains arrays of the copy, or is null.
   /// If memory runs out, changes nothing.
-  [[nodiscard]] detail::Replica* add(World&& copy, std::unique_ptr<memory::Arena> arena, bool serves_ticks);
+  [[nodiscard]] detail::Replica* add(World&& copy, std::unique_ptr<memory::Arena>&& arena, bool serves_ticks);
   /// Prepares a replica for its first reader. Gives up the replicas that the pool no longer needs. `item_count` is the
   /// number of items of the world now. Allocates nothing. Requires: the replica is free.
   void hand_out(detail::Replica* replica, std::size_t item_count);
@@ -153,7 +167,8 @@ class SnapshotPool {
   /// Lets all new replicas share pages, also the first ones, and those of a small world.
   void share_always() {
     least_shared_ = 0;
-    most_own_ = 0;
+    own_ = 0;
+    least_sharing_ = 0;
   }
   /// Returns how many replicas that share pages the pool has made.
   [[nodiscard]] std::size_t sharing_count() const { return sharing_count_; }
@@ -173,10 +188,16 @@ class SnapshotPool {
 
   /// A world with less memory (in bytes) has no replicas that share pages: a copy takes less than a few milliseconds.
   static constexpr std::size_t kLeastShared = std::size_t{4} << 20;
-  /// If more than `limit_` / kPartForBase items have changed since the pool made the base, it makes a new one. A
-  /// smaller part would take more time for bases, a larger part more time and memory for the replicas: each of them
-  /// repeats all changes since the base, in shared pages, where a change takes several times as long as elsewhere.
-  static constexpr std::size_t kPartForBase = 32;
+  /// If more than `limit_` / kLimitDivisor items have changed since the pool made the base, it makes a new one. A
+  /// replica repeats all changes since the base, in shared pages, where a change takes several times as long as
+  /// elsewhere. So with a higher limit, replicas take more time and memory. With a lower limit, the pool makes more
+  /// bases.
+  static constexpr std::size_t kLimitDivisor = 16;
+  /// If readers hold this many replicas of a kind, a new one may share pages.
+  static constexpr std::size_t kOwn = 3;
+  /// If fewer replicas than this share the pages of a base when it becomes too old, the world changes too fast between
+  /// the snapshots. A copy of the world then costs less than a new base.
+  static constexpr std::size_t kLeastSharing = 4;
 
   using Replicas = std::vector<detail::Replica*>;
 
@@ -192,21 +213,30 @@ class SnapshotPool {
   /// Returns the oldest of the replicas for which `matches(replica)` is true, or the end of the list.
   template <class Matches>
   [[nodiscard]] Replicas::iterator find_oldest(Matches&& matches);
+  template <class Matches>
+  [[nodiscard]] std::size_t count(Matches&& matches) const;
   /// Removes from the pool each replica that readers hold and that cannot follow the world any more. Then removes the
   /// oldest replica if the pool has kMost. Requires: the replica for hand_out() is not in the pool.
   void release_too_old();
-  /// Takes one free replica that the pool does not need out of the pool and returns it, or returns null: the oldest one
-  /// that cannot follow the world or, if there are too many for the present or for ticks, the oldest of these.
-  [[nodiscard]] detail::Replica* take_unneeded();
+  /// Takes one free replica that the pool does not need out of the pool and returns it: the oldest one that cannot
+  /// follow the world or, if there are too many for the present or for ticks, the oldest of these; those that share
+  /// pages come first. If there is none, returns the base if no replica shares pages, or if the base cannot follow the
+  /// world. Otherwise returns null. `handed_out` is the replica for hand_out(), which is not in the pool.
+  [[nodiscard]] detail::Replica* take_unneeded(const detail::Replica& handed_out);
   [[nodiscard]] bool can_follow(const detail::Replica& replica) const {
-    return !replica.is_too_old() && changed_.has_all_since(replica.world.version());
+    const bool has_old_base = replica.arena != nullptr && replica.base_number() != base_number_;
+    return !has_old_base && !replica.is_too_old() && changed_.has_all_since(replica.world.version());
   }
 
   Replicas replicas_;                ///< in no order
   detail::Replica* base_ = nullptr;  ///< or null
   std::size_t least_shared_ = kLeastShared;
-  std::size_t most_own_ = kMostFree;  ///< if the pool has this many replicas of a kind, the next one shares pages
-  std::size_t sharing_count_ = 0;     ///< how many replicas that share pages the pool has made
+  std::size_t own_ = kOwn;
+  std::size_t least_sharing_ = kLeastSharing;
+  bool can_share_ = base::kHasPageFiles;
+  std::uint32_t base_number_ = 0;        ///< of `base_` or, if there is none, of the last base
+  std::size_t of_base_ = kLeastSharing;  ///< how many replicas that share pages of the last base the pool has made
+  std::size_t sharing_count_ = 0;        ///< the same for all bases
   ChangedItems changed_;
   std::size_t limit_ = kFewChanges;  ///< if more items have changed, a copy costs less
   std::vector<ItemId> ids_;          ///< the answer of changed()

@@ -121,9 +121,14 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   /// Requires: share() has returned null.
   [[nodiscard]] detail::Replica* publish(const ReplicaState& state, const ItemsAtTick& items);
   /// Adds a replica with this state to the pool: a copy of this world with memory of its own, or a copy that shares
-  /// pages with other replicas. The second function returns null if such a copy costs more or is not possible.
+  /// pages with other replicas. The second function returns null if such a copy has no advantage or is not possible.
   [[nodiscard]] detail::Replica* add_replica(const ReplicaState& state);
   [[nodiscard]] detail::Replica* add_sharing_replica(const ReplicaState& state, const ItemsAtTick& items);
+  /// Returns a base of `snapshots` that differs little from the state with these items, or null if a new base has no
+  /// advantage or is not possible. `bytes` is the memory of this world.
+  [[nodiscard]] const detail::Replica* find_or_make_base(const ItemsAtTick& items, std::size_t bytes);
+  /// Returns a copy of this world whose arrays are in an arena.
+  [[nodiscard]] World copy_in(memory::Arena& arena) const;
   /// Gives this world a state of `other`, with these items. `changed` are the items that may differ. If memory runs
   /// out, some of these items may already be as in this state, and the version may be that of this state. The caller
   /// can then call the function again, with this state or another one. Returns true if it has succeeded. If the result

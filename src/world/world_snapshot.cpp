@@ -106,25 +106,39 @@ detail::Replica* World::Impl::add_replica(const ReplicaState& state) {
   return snapshots->add(World(std::move(copy)), nullptr, state.tick.has_value());
 }
 
-detail::Replica* World::Impl::add_sharing_replica(const ReplicaState& state, const ItemsAtTick& items) {
-  const std::size_t bytes = memory().total();
-  if (!snapshots->should_share(bytes, state.tick.has_value())) return nullptr;
-  const auto copy_in_arena = [](memory::Arena& arena, const Impl& original) {
-    const memory::ArenaScope scope(arena);
-    return World(std::make_unique<Impl>(original, History()));
-  };
-  const detail::Replica* base = snapshots->find_base(state, items);
-  if (base == nullptr) {
-    std::unique_ptr<memory::Arena> arena = memory::Arena::make(bytes + bytes / 16 + kSpareInArena);
-    if (arena == nullptr) return nullptr;
-    World copy = copy_in_arena(*arena, *this);
-    snapshots->set_base(std::move(copy), std::move(arena));
-    base = snapshots->find_base(state, items);
-    if (base == nullptr) return nullptr;
+World World::Impl::copy_in(memory::Arena& arena) const {
+  const memory::ArenaScope scope(arena);
+  return World(std::make_unique<Impl>(*this, History()));
+}
+
+// The base begins no operation, so it would keep the undo logs of the last one, and each replica would copy them. To
+// free spare memory also frees the logs.
+const detail::Replica* World::Impl::find_or_make_base(const ItemsAtTick& items, std::size_t bytes) {
+  if (const detail::Replica* const base = snapshots->find_base(items)) return base;
+  if (!snapshots->should_make_base()) return nullptr;
+  std::unique_ptr<memory::Arena> arena = memory::Arena::make(bytes + bytes / 16 + kSpareInArena);
+  if (arena == nullptr) {
+    snapshots->stop_sharing();
+    return nullptr;
   }
+  World copy = copy_in(*arena);
+  copy.shrink_to_fit();
+  snapshots->set_base(std::move(copy), std::move(arena));
+  return snapshots->find_base(items);
+}
+
+detail::Replica* World::Impl::add_sharing_replica(const ReplicaState& state, const ItemsAtTick& items) {
+  if (!snapshots->may_share(state, items)) return nullptr;
+  const std::size_t bytes = memory().total();
+  if (bytes < snapshots->least_shared()) return nullptr;
+  const detail::Replica* const base = find_or_make_base(items, bytes);
+  if (base == nullptr) return nullptr;
   std::unique_ptr<memory::Arena> arena = base->arena->share();
-  if (arena == nullptr) return nullptr;
-  World copy = copy_in_arena(*arena, *base->world.impl_);
+  if (arena == nullptr) {
+    snapshots->stop_sharing();
+    return nullptr;
+  }
+  World copy = base->world.impl_->copy_in(*arena);  // destroyed before `arena`
   if (!copy.impl_->follow(*this, state, items, snapshots->changed(), snapshots->scratch())) return nullptr;
   return snapshots->add(std::move(copy), std::move(arena), state.tick.has_value());
 }

@@ -8,6 +8,7 @@
 #include "check.h"
 #include "counting_allocator.h"
 #include "memory_calls.h"
+#include "scene.h"
 
 static void hash_of(const State* state, ww_items_hash* items, ww_mesh_hash* mesh, uint64_t* version) {
   CHECK_OK(ww_world_items_hash(state->world, items));
@@ -68,6 +69,30 @@ static void test_warm_queries(void) {
   destroy_state(&state);
 }
 
+/* Snapshots of a large world share pages of memory (a file "memfd:waywright"), but not if a program provides all memory
+   itself. */
+static void test_that_no_pages_are_shared(void) {
+  enum { kSide = 250, kSnapshots = 6 };
+  static ww_point points[kSide * kSide];
+  ww_world* world = NULL;
+  ww_snapshot* snapshots[kSnapshots] = {NULL};
+  char line[512];
+  FILE* maps;
+  size_t i;
+  for (i = 0; i < kSide * kSide; ++i) points[i] = at((double)(i % kSide) + 1, (double)(i / kSide) + 1);
+  CHECK_OK(ww_world_create(box(0, 0, kSide + 1, kSide + 1), NULL, &world));
+  CHECK_OK(ww_world_insert_points(world, points, kSide * kSide, 1, NULL, NULL));
+  for (i = 0; i < kSnapshots; ++i) {
+    CHECK_OK(ww_world_remove(world, (ww_id)i + 1));
+    CHECK_OK(ww_world_publish(world, &snapshots[i]));
+  }
+  maps = fopen("/proc/self/maps", "r");
+  while (maps != NULL && fgets(line, sizeof line, maps) != NULL) CHECK(strstr(line, "memfd:waywright") == NULL);
+  if (maps != NULL) fclose(maps);
+  for (i = 0; i < kSnapshots; ++i) ww_snapshot_destroy(snapshots[i]);
+  ww_world_destroy(world);
+}
+
 int main(void) {
   ww_allocator allocator;
   ww_context* context = NULL;
@@ -98,6 +123,7 @@ int main(void) {
     if (refused == 0) printf("%s needs no memory that it cannot do without\n", kCases[i].name);
   }
   test_warm_queries();
+  test_that_no_pages_are_shared();
   CHECK(remove(kFile) == 0);
   /* The error of a refused text still has its message. The function frees it. */
   CHECK_OK(ww_set_allocator(NULL));

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/page_file.hpp"
+#include "memory/arena.hpp"
 #include "support/each_flavour.hpp"
 #include "support/history_check.hpp"
 
@@ -26,7 +26,7 @@ TEST(HistoryProperty, AgreesWithAModelThatKeepsTheItemsOfEachTick) {
   EXPECT_GT(all.attempts, all.steps / 40);
   EXPECT_GT(all.snapshots_of_ticks, all.steps / 40);
   EXPECT_GT(all.comparisons, all.steps / 40);
-  EXPECT_EQ(all.sharing_replicas > 0, base::kHasPageFiles);
+  EXPECT_EQ(all.sharing_replicas > 0, memory::Arena::make(1) != nullptr);
   EXPECT_GT(all.clones, 0U);
   EXPECT_GT(all.saves, 0U);
 }
