@@ -125,7 +125,7 @@ bool SnapshotPool::may_share(const ReplicaState& state, const ItemsAtTick& items
   const auto is_held = [&](const Replica* replica) {
     return replica->serves_ticks() == state.tick.has_value() && !replica->is_free();
   };
-  return count(is_held) >= own_;
+  return base_ != nullptr || count(is_held) >= own_;
 }
 
 const Replica* SnapshotPool::find_base(const ItemsAtTick& items) {

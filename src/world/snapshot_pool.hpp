@@ -107,10 +107,11 @@ struct ReplicaScratch {
 /// The replicas of a world, and the changes that they have not repeated yet. A replica *follows* the world if it
 /// repeats these changes, or goes back to the state of a tick (World::Impl::follow()).
 ///
-/// The first three replicas of a kind have memory of their own. If readers hold three, each new replica of a large
-/// world shares pages with the *base*: a copy of the world that nobody reads and nobody changes. Such a replica takes
-/// memory only for what has changed since the pool made the base. But a change takes longer if the system must copy a
-/// page for it. So a program whose readers hold one or two snapshots at once gets replicas without shared pages.
+/// The first three replicas of a kind have memory of their own. When readers hold three, the pool makes a *base*: a
+/// copy of the world that nobody reads and nobody changes. As long as there is a base, each new replica of a large
+/// world shares pages with it. Such a replica takes memory only for what has changed since the pool made the base. But
+/// a change takes longer if the system must copy a page for it. So a program whose readers hold one or two snapshots at
+/// once gets replicas without shared pages.
 ///
 /// Threads: the pool belongs to the thread that changes the world, but count_memory() is a query.
 class SnapshotPool {
@@ -138,7 +139,7 @@ class SnapshotPool {
 
   /// Takes a free replica out of the pool and frees it.
   void drop(detail::Replica* replica);
-  /// Returns whether a new replica for this state should share pages with the base, if the world is large.
+  /// Returns whether a new replica for this state may share pages, if the world is large.
   [[nodiscard]] bool may_share(const ReplicaState& state, const ItemsAtTick& items) const;
   /// The memory that a world must have so that its replicas share pages, in bytes.
   [[nodiscard]] std::size_t least_shared() const { return least_shared_; }
@@ -193,7 +194,7 @@ class SnapshotPool {
   /// elsewhere. So with a higher limit, replicas take more time and memory. With a lower limit, the pool makes more
   /// bases.
   static constexpr std::size_t kLimitDivisor = 16;
-  /// If readers hold this many replicas of a kind, a new one may share pages.
+  /// If readers hold this many replicas of a kind, the pool may make the first base.
   static constexpr std::size_t kOwn = 3;
   /// If fewer replicas than this share the pages of a base when it becomes too old, the world changes too fast between
   /// the snapshots. A copy of the world then costs less than a new base.

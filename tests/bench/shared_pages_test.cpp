@@ -42,6 +42,24 @@ TEST(SharedPages, TakeMemoryForWhatHasChanged) {
   EXPECT_LT(physical_memory(), before + 10 * town.world().memory().total() / 3) << "of 10 snapshots";
 }
 
+// The pool makes several bases, and then no longer uses the replicas of the old ones.
+TEST(SharedPages, AreSharedAsLongAsReadersHoldManySnapshots) {
+  if (!can_share_pages()) GTEST_SKIP() << "this system does not share pages";
+  Town town(40'000);
+  std::vector<WorldSnapshot> held;
+  for (int i = 0; i < 60; ++i) {
+    town.world().apply({town.random_move()}).value();
+    held.push_back(town.world().publish());
+  }
+  EXPECT_EQ(WorldInternals::sharing_replicas(town.world()), 57U);
+  held.clear();
+  for (int i = 0; i < 60; ++i) {
+    town.world().apply({town.random_move()}).value();
+    held = {town.world().publish()};
+  }
+  EXPECT_EQ(WorldInternals::sharing_replicas(town.world()), 57U) << "one snapshot at a time";
+}
+
 TEST(SharedPages, KeepEverySnapshotAsItWas) {
   if (!can_share_pages()) GTEST_SKIP() << "this system does not share pages";
   Town town(3000);
