@@ -8,11 +8,11 @@ namespace waywright::test {
 namespace {
 
 TEST(Distance, WhatLiesOnTheRightIsMirrored) {
-  EXPECT_EQ(path::on_left({0, 1}, {2, 0}, {1, 3}), (Point{1, 3}));
-  EXPECT_EQ(path::on_left({0, 1}, {2, 0}, {5, 1}), (Point{5, 1})) << "on the line";
-  EXPECT_EQ(path::on_left({0, 1}, {2, 0}, {1, -1}), (Point{1, 3}));
-  EXPECT_EQ(path::on_left({0, 1}, {-2, 0}, {1, 3}), (Point{1, -1}));
-  EXPECT_EQ(path::on_left({1, 0}, {1, 1}, {2, 0}), (Point{1, 1}));
+  EXPECT_EQ(path::reflect_to_left({0, 1}, {2, 0}, {1, 3}), (Point{1, 3}));
+  EXPECT_EQ(path::reflect_to_left({0, 1}, {2, 0}, {5, 1}), (Point{5, 1})) << "on the line";
+  EXPECT_EQ(path::reflect_to_left({0, 1}, {2, 0}, {1, -1}), (Point{1, 3}));
+  EXPECT_EQ(path::reflect_to_left({0, 1}, {-2, 0}, {1, 3}), (Point{1, -1}));
+  EXPECT_EQ(path::reflect_to_left({1, 0}, {1, 1}, {2, 0}), (Point{1, 1}));
 }
 
 TEST(Distance, FootsAreSquareToTheLine) {
@@ -25,11 +25,11 @@ TEST(Distance, FootsAreSquareToTheLine) {
 TEST(Distance, AnEdgeWithoutLengthIsAPoint) {
   for (const Point& edge : {Point{0, 0}, Point{1e-200, 0}, Point{0, -1e-160}, Point{1e-140, 1e-140}}) {
     EXPECT_EQ(path::foot({3, 4}, {1, 2}, edge), (Point{1, 2}));
-    EXPECT_EQ(path::on_left({1, 2}, edge, {3, 1}), (Point{3, 1}));
-    EXPECT_EQ(path::on_left({1, 2}, edge, {-3, 1}), (Point{-3, 1}));
+    EXPECT_EQ(path::reflect_to_left({1, 2}, edge, {3, 1}), (Point{3, 1}));
+    EXPECT_EQ(path::reflect_to_left({1, 2}, edge, {-3, 1}), (Point{-3, 1}));
   }
   EXPECT_EQ(path::foot({3, 4}, {0, 0}, {1e-130, 0}), (Point{3, 0}));
-  EXPECT_EQ(path::on_left({0, 0}, {1e-130, 0}, {3, -4}), (Point{3, 4}));
+  EXPECT_EQ(path::reflect_to_left({0, 0}, {1e-130, 0}, {3, -4}), (Point{3, 4}));
 }
 
 TEST(Distance, TheShortestPathViaAnEdgeIsStraightOrTurnsAtItsEnd) {
