@@ -56,22 +56,22 @@ inline constexpr char kEmptySnapshot[] =
 /// world keeps the replicas that no reader holds, for later snapshots. A replica serves either snapshots of the present
 /// or snapshots of ticks. Of each of these two kinds, the world needs at most two replicas that no reader holds. If it
 /// has more, each call of World::publish() gives up one of them. To free a replica takes time. So publish() does not
-/// free it, but attaches it to the new snapshot: the thread that releases the last handle of this snapshot frees the
-/// attached replica. Suppose that the readers release each snapshot when the next one exists. Then the third call uses
-/// the replica of the first snapshot again and repeats the changes since the first call, the fourth call uses the
+/// free this one, but attaches it to the new snapshot: the thread that releases the last handle of this snapshot frees
+/// the attached replica. Suppose that the readers release each snapshot when the next one exists. Then the third call
+/// uses the replica of the first snapshot again and repeats the changes since the first call, the fourth call uses the
 /// replica of the second snapshot, and so on. The first call makes a replica, because there is none yet. Later, a call
 /// makes one if readers hold all replicas, or if no free replica can be updated, for example because too many items
 /// have changed (see World::publish). After the first call, each operation also records the ids of the items that it
 /// changes, 16 bytes for each. World::shrink_to_fit() frees the replicas that the world keeps for later snapshots.
 ///
-/// The first three snapshots of each kind that readers hold at once take as much memory as a clone() each. On Linux, if
-/// the world takes 4 MB or more, further snapshots can share pages of memory with one more copy of the world, the
-/// *base*. Such a snapshot takes memory only for what has changed since the base was made: about 90 kB for each polygon
-/// that moves among 10^6 vertices. (A replica that is used again also keeps the memory for its earlier changes.) When
-/// about n / 512 of the n items have changed since the base, World::publish() makes a new base for later replicas. A
-/// base also keeps a file open. On other systems, or if the system refuses the file, each snapshot takes as much memory
-/// as a clone(). So does a replica that is attached to a snapshot, unless it shares pages. World::memory() counts
-/// shared pages once for each replica.
+/// The first three snapshots that readers hold at once take as much memory as a clone() each. On Linux, if the world
+/// takes 4 MB or more, further snapshots can share pages of memory with one more copy of the world, the *base*. Such a
+/// snapshot takes memory only for what has changed since the base was made: about 90 kB for each polygon that moves
+/// among 10^6 vertices. (A replica that is used again also keeps the memory for its earlier changes.) When about n /
+/// 512 of the n items have changed since the base, World::publish() makes a new base or a clone(). A base also keeps a
+/// file open. On other systems, or if the system refuses the file, each snapshot takes as much memory as a clone(). So
+/// does a replica that is attached to a snapshot, unless it shares pages. World::memory() counts shared pages once for
+/// each replica.
 ///
 /// When a thread has released or destroyed the last handle of an immutable world, the original world keeps the memory
 /// of the immutable world for a later call of World::publish(). If the original world no longer needs this memory, or
@@ -96,7 +96,8 @@ class WAYWRIGHT_API WorldSnapshot {
   ~WorldSnapshot() { release(); }
 
   /// Makes the handle empty.
-  /// Cost: O(1), or linear in the world if this handle is the last and the world does not keep the memory.
+  /// Cost: O(1), or linear in the world if this handle is the last, and the world does not keep the memory or has
+  /// attached a replica to the snapshot.
   void release() noexcept;
 
   /// Returns whether the handle is not empty.

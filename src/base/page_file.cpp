@@ -1,6 +1,7 @@
 #include "base/page_file.hpp"
 
 #if defined(__linux__)
+#include <cerrno>
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -19,8 +20,8 @@ namespace {
 int make_descriptor() noexcept {
   constexpr unsigned kCloseOnExec = 1;
   constexpr unsigned kNoProgram = 8;
-  const auto sealed = ::syscall(SYS_memfd_create, "waywright", kCloseOnExec | kNoProgram);
-  return static_cast<int>(sealed >= 0 ? sealed : ::syscall(SYS_memfd_create, "waywright", kCloseOnExec));
+  const auto descriptor = ::syscall(SYS_memfd_create, "waywright", kCloseOnExec | kNoProgram);
+  return static_cast<int>(descriptor >= 0 ? descriptor : ::syscall(SYS_memfd_create, "waywright", kCloseOnExec));
 }
 
 /// Whether files may be so large. If the program made a larger one, a signal would end it.
@@ -51,7 +52,12 @@ PageFile::~PageFile() {
 }
 
 bool PageFile::reserve(std::size_t start, std::size_t size) const noexcept {
-  return size == 0 || ::fallocate(descriptor_, 0, static_cast<::off_t>(start), static_cast<::off_t>(size)) == 0;
+  if (size == 0) return true;
+  int result = 0;
+  do {
+    result = ::fallocate(descriptor_, 0, static_cast<::off_t>(start), static_cast<::off_t>(size));
+  } while (result != 0 && errno == EINTR);
+  return result == 0;
 }
 
 std::byte* PageFile::map() const noexcept { return map_file(size_, descriptor_, MAP_SHARED); }

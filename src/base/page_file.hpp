@@ -6,7 +6,7 @@
 
 namespace waywright::base {
 
-/// Whether PageFile::make() can succeed on this system. It may still fail, for example in a sandbox.
+/// Whether the code for page files exists for this system. PageFile::make() may still fail, for example in a sandbox.
 #if defined(__linux__)
 inline constexpr bool kHasPageFiles = true;
 #else

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
-#include <memory>
+#include <limits>
 #include <new>
 #include <span>
 #include <type_traits>
@@ -134,7 +134,9 @@ class Array {
   }
   [[nodiscard]] std::size_t larger_capacity(std::size_t least) const { return std::max(least, 2 * capacity_); }
   WAYWRIGHT_NO_INLINE void move_to(std::size_t capacity) {
-    move_to(std::allocator<Value>().allocate(capacity), capacity);  // the allocator refuses sizes that are too large
+    constexpr std::size_t kTooMuch = std::numeric_limits<std::size_t>::max() / 2;  // for every machine
+    const bool is_too_large = capacity > kTooMuch / sizeof(Value);
+    move_to(::operator new(is_too_large ? kTooMuch : capacity * sizeof(Value)), capacity);
   }
   void move_to(void* memory, std::size_t capacity) noexcept {
     Array moved;

@@ -8,7 +8,8 @@ namespace waywright::memory {
 /// not enough memory.
 ///
 /// The three functions of this header have a source file of their own. So a program that links the static library can
-/// replace all of them, as it can replace `operator new`. The C library does this for its allocator hooks.
+/// replace all of them, as it can replace `operator new`. The library for C programs (`bindings/c`) does this for its
+/// allocator hooks.
 [[nodiscard]] void* allocate_zeroed(std::size_t count, std::size_t size) noexcept;
 /// Frees memory that allocate_zeroed() has returned, or does nothing for null.
 void free_zeroed(void* memory) noexcept;

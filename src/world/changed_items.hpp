@@ -19,8 +19,8 @@ class ChangedItems {
   /// Makes an empty record. It will have all changes after `version`.
   explicit ChangedItems(std::uint64_t version) : complete_since_(version) {}
 
-  /// Sets the largest number of items that the record may contain: `limit`, but at least half of kSmallestCapacity. If
-  /// there are more, it drops the oldest.
+  /// Sets a number of items: `limit`, but at least half of kSmallestCapacity. If the record has more when it needs more
+  /// memory, it drops the older half of them.
   void set_limit(std::size_t limit) { limit_ = std::max(limit, kSmallestCapacity / 2); }
   [[nodiscard]] std::size_t limit() const { return limit_; }
   /// Lets the record drop the changes up to `version`. Does nothing if it has dropped them already.

@@ -125,7 +125,7 @@ bool SnapshotPool::may_share(const ReplicaState& state, const ItemsAtTick& items
   const auto is_held = [&](const Replica* replica) {
     return replica->serves_ticks() == state.tick.has_value() && !replica->is_free();
   };
-  return base_ != nullptr || count(is_held) >= own_;
+  return base_ != nullptr || count(is_held) >= first_count_;
 }
 
 const Replica* SnapshotPool::find_base(const ItemsAtTick& items) {
@@ -133,7 +133,7 @@ const Replica* SnapshotPool::find_base(const ItemsAtTick& items) {
   return find_changed(base_->world.version(), items, limit_ / kLimitDivisor) ? base_ : nullptr;
 }
 
-bool SnapshotPool::should_make_base() { return std::exchange(of_base_, least_sharing_) >= least_sharing_; }
+bool SnapshotPool::should_make_base() { return std::exchange(sharing_base_, least_sharing_) >= least_sharing_; }
 
 // `new` allocates before it moves the arena into the replica. So if memory runs out, the caller still has the arena,
 // and frees it after the copy.
@@ -141,7 +141,7 @@ void SnapshotPool::set_base(World&& copy, std::unique_ptr<memory::Arena>&& arena
   Replica* const base = new Replica(std::move(copy), std::move(arena), base_number_ + 1, false);
   if (Replica* const old = std::exchange(base_, base)) old->release();
   ++base_number_;
-  of_base_ = 0;
+  sharing_base_ = 0;
 }
 
 void SnapshotPool::stop_sharing() {
@@ -159,7 +159,7 @@ Replica* SnapshotPool::add(World&& copy, std::unique_ptr<memory::Arena>&& arena,
   replicas_.reserve(kMost + 1);
   replicas_.push_back(new Replica(std::move(copy), std::move(arena), base_number_, serves_ticks));
   if (is_sharing) {
-    ++of_base_;
+    ++sharing_base_;
     ++sharing_count_;
   }
   return replicas_.back();
@@ -183,7 +183,8 @@ void SnapshotPool::release_too_old() {
     return !is_kept;
   });
   if (replicas_.size() < kMost) return;
-  const auto oldest = find_oldest([](const Replica*) { return true; });
+  auto oldest = find_oldest([](const Replica* replica) { return !replica->is_free(); });
+  if (oldest == replicas_.end()) oldest = find_oldest([](const Replica*) { return true; });
   (*oldest)->release();
   replicas_.erase(oldest);
 }

@@ -107,10 +107,10 @@ struct ReplicaScratch {
 /// The replicas of a world, and the changes that they have not repeated yet. A replica *follows* the world if it
 /// repeats these changes, or goes back to the state of a tick (World::Impl::follow()).
 ///
-/// The first three replicas of a kind have memory of their own. When readers hold three, the pool makes a *base*: a
-/// copy of the world that nobody reads and nobody changes. As long as there is a base, each new replica of a large
-/// world shares pages with it. Such a replica takes memory only for what has changed since the pool made the base. But
-/// a change takes longer if the system must copy a page for it. So a program whose readers hold one or two snapshots at
+/// The first three replicas have memory of their own. When readers hold three of a kind, the pool makes a *base*: a
+/// copy of the world that nobody reads and nobody changes. As long as there is a base, new replicas of a large world
+/// can share pages with it. Such a replica takes memory only for what has changed since the pool made the base. But a
+/// change takes longer if the system must copy a page for it. So a program whose readers hold one or two snapshots at
 /// once gets replicas without shared pages.
 ///
 /// Threads: the pool belongs to the thread that changes the world, but count_memory() is a query.
@@ -147,7 +147,8 @@ class SnapshotPool {
   /// Otherwise returns null. changed() then has the items that may differ. Requires: find_free() has been called for
   /// this state.
   [[nodiscard]] const detail::Replica* find_base(const ItemsAtTick& items);
-  /// Returns whether a new base is worthwhile. If the answer is false, the next answer is true.
+  /// Returns whether to make a new base: not if too few replicas share the pages of the last one (kLeastSharing). But
+  /// after an answer of false, the next answer is true, because the world may change less by then.
   [[nodiscard]] bool should_make_base();
   /// Replaces the base by a copy of the present world. `arena` contains arrays of the copy. If memory runs out, changes
   /// nothing.
@@ -168,7 +169,7 @@ class SnapshotPool {
   /// Lets all new replicas share pages, also the first ones, and those of a small world.
   void share_always() {
     least_shared_ = 0;
-    own_ = 0;
+    first_count_ = 0;
     least_sharing_ = 0;
   }
   /// Returns how many replicas that share pages the pool has made.
@@ -178,7 +179,7 @@ class SnapshotPool {
   /// If the pool has more free replicas for the present than this number, or more for ticks, hand_out() gives up one of
   /// them.
   static constexpr std::size_t kMostFree = 2;
-  /// The largest number of replicas that the pool owns. The last reader of an older replica frees it.
+  /// The largest number of replicas that the pool owns. The last reader of an older replica that has readers frees it.
   static constexpr std::size_t kMost = 16;
 
   /// Let n be the number of items of the world. If more than kFewChanges + n / kItemsForEachChange items have changed,
@@ -195,7 +196,7 @@ class SnapshotPool {
   /// bases.
   static constexpr std::size_t kLimitDivisor = 16;
   /// If readers hold this many replicas of a kind, the pool may make the first base.
-  static constexpr std::size_t kOwn = 3;
+  static constexpr std::size_t kFirst = 3;
   /// If fewer replicas than this share the pages of a base when it becomes too old, the world changes too fast between
   /// the snapshots. A copy of the world then costs less than a new base.
   static constexpr std::size_t kLeastSharing = 4;
@@ -208,8 +209,7 @@ class SnapshotPool {
   /// Adds the items that have changed since the tick to `ids_`.
   void add_changed(const ItemsAtTick& items);
   /// Writes to `ids_` the items in which a world of this version may differ from the state with `items`. Returns
-  /// whether, apart from the changes since the tick, they are at most `limit`. Requires: the record reaches back to the
-  /// version.
+  /// whether they are at most `limit` more than items.changed(). Requires: the record reaches back to the version.
   [[nodiscard]] bool find_changed(std::uint64_t version, const ItemsAtTick& items, std::size_t limit);
   /// Returns the oldest of the replicas for which `matches(replica)` is true, or the end of the list.
   template <class Matches>
@@ -232,12 +232,13 @@ class SnapshotPool {
   Replicas replicas_;                ///< in no order
   detail::Replica* base_ = nullptr;  ///< or null
   std::size_t least_shared_ = kLeastShared;
-  std::size_t own_ = kOwn;
+  std::size_t first_count_ = kFirst;
   std::size_t least_sharing_ = kLeastSharing;
   bool can_share_ = base::kHasPageFiles;
-  std::uint32_t base_number_ = 0;        ///< of `base_` or, if there is none, of the last base
-  std::size_t of_base_ = kLeastSharing;  ///< how many replicas that share pages of the last base the pool has made
-  std::size_t sharing_count_ = 0;        ///< the same for all bases
+  std::uint32_t base_number_ = 0;  ///< of `base_` or, if there is none, of the last base
+  /// How many replicas that share the pages of the last base the pool has made, or a larger number: should_make_base().
+  std::size_t sharing_base_ = kLeastSharing;
+  std::size_t sharing_count_ = 0;  ///< how many replicas that share pages the pool has made
   ChangedItems changed_;
   std::size_t limit_ = kFewChanges;  ///< if more items have changed, a copy costs less
   std::vector<ItemId> ids_;          ///< the answer of changed()

@@ -111,8 +111,8 @@ World World::Impl::copy_in(memory::Arena& arena) const {
   return World(std::make_unique<Impl>(*this, History()));
 }
 
-// The base begins no operation, so it would keep the undo logs of the last one, and each replica would copy them. To
-// free spare memory also frees the logs.
+// The copy has the undo logs of the last operation. They are outside the arena, so each replica of the base would copy
+// them. shrink_to_fit() frees them.
 const detail::Replica* World::Impl::find_or_make_base(const ItemsAtTick& items, std::size_t bytes) {
   if (const detail::Replica* const base = snapshots->find_base(items)) return base;
   if (!snapshots->should_make_base()) return nullptr;

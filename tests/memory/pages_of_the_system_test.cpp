@@ -85,14 +85,14 @@ class Publisher {
   int count_ = 0;
 };
 
-class RefusedPages : public testing::Test {
+class PagesOfTheSystem : public testing::Test {
  protected:
   void SetUp() override {
     if (memory::Arena::make(1) == nullptr) GTEST_SKIP() << "this system does not share pages";
   }
 };
 
-TEST_F(RefusedPages, GiveWayToCopiesIfNoFileCanBeOpened) {
+TEST_F(PagesOfTheSystem, GiveWayToCopiesIfNoFileCanBeOpened) {
   Publisher publisher;
   std::vector<WorldSnapshot> held;
   {
@@ -105,7 +105,7 @@ TEST_F(RefusedPages, GiveWayToCopiesIfNoFileCanBeOpened) {
 }
 
 // A file above the limit would end the process by the signal SIGXFSZ.
-TEST_F(RefusedPages, GiveWayToCopiesIfFilesMustBeSmall) {
+TEST_F(PagesOfTheSystem, GiveWayToCopiesIfFilesMustBeSmall) {
   Publisher publisher;
   const Limit limit(RLIMIT_FSIZE, 100'000);
   std::vector<WorldSnapshot> held;
@@ -113,7 +113,7 @@ TEST_F(RefusedPages, GiveWayToCopiesIfFilesMustBeSmall) {
   EXPECT_EQ(publisher.sharing_replicas(), 0U);
 }
 
-TEST_F(RefusedPages, GiveWayToCopiesIfThereAreNoAddresses) {
+TEST_F(PagesOfTheSystem, GiveWayToCopiesIfThereAreNoAddresses) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "a sanitizer needs addresses";
 #endif
@@ -126,7 +126,7 @@ TEST_F(RefusedPages, GiveWayToCopiesIfThereAreNoAddresses) {
   EXPECT_EQ(publisher.sharing_replicas(), 3U);
 }
 
-TEST_F(RefusedPages, GoBackToTheSystem) {
+TEST_F(PagesOfTheSystem, GoBackToTheSystem) {
   const std::size_t files_before = open_files();
   ASSERT_EQ(mapped_pages_files(), 0U);
   std::vector<WorldSnapshot> held;
