@@ -254,8 +254,8 @@ class WAYWRIGHT_API World {
   /// Requires: attempt() is not asking a question about this world.
   /// Cost: the function takes the newest replica that serves snapshots of the present and that no reader holds. For
   /// each item that has changed since the version of this replica, it makes at most one removal and one insertion. If
-  /// there is no such replica, or if more than 64 + n / 32 items have changed, it costs as much as clone(), or less if
-  /// replicas share pages. Here n is the number of items that the world had when it made its last snapshot.
+  /// there is no such replica, or if more than 64 + n / 32 items have changed, it costs about as much as clone(), or
+  /// less with shared pages. Here n is the number of items that the world had when it made its last snapshot.
   [[nodiscard]] WorldSnapshot publish();
   /// Returns an immutable world with the state of this world at a tick (mark()). This world does not change.
   /// WorldSnapshot has an example. If memory runs out, nothing changes.
@@ -263,7 +263,7 @@ class WAYWRIGHT_API World {
   /// Errors: the errors of rewind().
   /// Cost: n log n in the changes since the tick. The function takes a replica that has served a tick before. For each
   /// item that has changed since the tick or the version of the replica, it makes a comparison and, if the item
-  /// differs, at most one removal and one insertion. Without such a replica, it costs as much as clone() and rewind().
+  /// differs, at most one removal and one insertion. Without such a replica, it costs about a clone() and a rewind().
   [[nodiscard]] Result<WorldSnapshot> publish(std::uint64_t tick);
 
   /// @}
