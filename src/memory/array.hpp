@@ -105,9 +105,17 @@ class Array {
     if (size_ == capacity_ || is_in_arena_) return;
     if (size_ == 0) {
       *this = Array();
-    } else if (void* const memory = ::operator new(size_ * sizeof(Value), std::nothrow)) {
-      move_to(memory, size_);
+      return;
     }
+#if defined(__cpp_exceptions)
+    try {
+      move_to(size_);
+    } catch (const std::bad_alloc&) {
+      return;
+    }
+#else
+    move_to(size_);
+#endif
   }
 
  private:
@@ -136,11 +144,8 @@ class Array {
   WAYWRIGHT_NO_INLINE void move_to(std::size_t capacity) {
     constexpr std::size_t kTooMuch = std::numeric_limits<std::size_t>::max() / 2;  // for every machine
     const bool is_too_large = capacity > kTooMuch / sizeof(Value);
-    move_to(::operator new(is_too_large ? kTooMuch : capacity * sizeof(Value)), capacity);
-  }
-  void move_to(void* memory, std::size_t capacity) noexcept {
     Array moved;
-    moved.values_ = static_cast<Value*>(memory);
+    moved.values_ = static_cast<Value*>(::operator new(is_too_large ? kTooMuch : capacity * sizeof(Value)));
     moved.capacity_ = capacity;
     std::copy_n(values_, size_, moved.values_);
     moved.size_ = size_;

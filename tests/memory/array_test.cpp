@@ -89,6 +89,10 @@ TEST(Array, StaysAsItIsIfMemoryRunsOut) {
   EXPECT_FALSE(gets_through(1, [&] { array.reserve(9); }));
   EXPECT_FALSE(gets_through(1, [&] { Array<Wide> copy(array); }));
   EXPECT_EQ(values_of(array), std::vector<Wide>(4, wide(3)));
+  array.reserve(9);
+  EXPECT_TRUE(gets_through(1, [&] { array.shrink_to_fit(); }));
+  EXPECT_EQ(array.capacity(), 9U);
+  EXPECT_EQ(values_of(array), std::vector<Wide>(4, wide(3)));
 }
 
 }  // namespace
