@@ -15,6 +15,11 @@
 
 namespace waywright::memory {
 
+/// Returns memory from `operator new`, or null if there is not enough. In code that is compiled without exceptions, the
+/// program ends instead. (A program may have replaced `operator new` without the form that returns null, so the
+/// function does not use this form.)
+[[nodiscard]] void* try_allocate(std::size_t bytes) noexcept;
+
 /// An array that can grow, as std::vector, for values without destructors. Use it for the large arrays of a world: if
 /// an ArenaScope exists, the copy constructor makes the copy in an arena, so that it can share pages with the original.
 /// An array in an arena has some spare capacity. If it outgrows this, it moves to memory of its own.
@@ -105,17 +110,9 @@ class Array {
     if (size_ == capacity_ || is_in_arena_) return;
     if (size_ == 0) {
       *this = Array();
-      return;
+    } else if (void* const memory = try_allocate(size_ * sizeof(Value))) {
+      move_to(memory, size_);
     }
-#if defined(__cpp_exceptions)
-    try {
-      move_to(size_);
-    } catch (const std::bad_alloc&) {
-      return;
-    }
-#else
-    move_to(size_);
-#endif
   }
 
  private:
@@ -144,8 +141,11 @@ class Array {
   WAYWRIGHT_NO_INLINE void move_to(std::size_t capacity) {
     constexpr std::size_t kTooMuch = std::numeric_limits<std::size_t>::max() / 2;  // for every machine
     const bool is_too_large = capacity > kTooMuch / sizeof(Value);
+    move_to(::operator new(is_too_large ? kTooMuch : capacity * sizeof(Value)), capacity);
+  }
+  void move_to(void* memory, std::size_t capacity) noexcept {
     Array moved;
-    moved.values_ = static_cast<Value*>(::operator new(is_too_large ? kTooMuch : capacity * sizeof(Value)));
+    moved.values_ = static_cast<Value*>(memory);
     moved.capacity_ = capacity;
     std::copy_n(values_, size_, moved.values_);
     moved.size_ = size_;
