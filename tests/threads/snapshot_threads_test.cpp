@@ -8,6 +8,8 @@
 
 #include "waywright/world.hpp"
 
+#include "support/world_internals.hpp"
+
 namespace waywright::test {
 namespace {
 
@@ -29,8 +31,14 @@ double path_length(const World& world, QueryContext& context, Path& path) {
   return path.length;
 }
 
+/// The parameter says whether the replicas share pages.
+class SnapshotThreads : public testing::TestWithParam<bool> {};
+
+INSTANTIATE_TEST_SUITE_P(Pages, SnapshotThreads, testing::Bool(),
+                         [](const auto& shares) { return shares.param ? "shared" : "own"; });
+
 // Made for the thread sanitizer: the writer changes replicas that readers have released, and readers free others.
-TEST(SnapshotThreads, ReadersAndTheWriterRunAtOnce) {
+TEST_P(SnapshotThreads, ReadersAndTheWriterRunAtOnce) {
   constexpr int kSnapshots = 600;
   constexpr std::size_t kReaders = 3;
   World world = world_with_a_wall();
@@ -71,6 +79,7 @@ TEST(SnapshotThreads, ReadersAndTheWriterRunAtOnce) {
     });
   }
   for (int i = 0; i < kSnapshots; ++i) {
+    if (GetParam()) WorldInternals::share_pages(world);
     const WorldSnapshot snapshot = world.publish();
     for (auto& slot : slots) delete slot.exchange(new WorldSnapshot(snapshot));
     static_cast<void>(world.memory());
