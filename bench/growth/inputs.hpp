@@ -32,7 +32,9 @@ struct Input {
   void (*run)(std::size_t n, Meter& meter);
 };
 
-/// All inputs, in the order of the table.
+/// The inputs of inputs.cpp, in the order of the table.
 [[nodiscard]] std::span<const Input> growth_inputs();
+/// The inputs of bridge_inputs.cpp, which follow in the table: worlds with bridges.
+[[nodiscard]] std::span<const Input> bridge_inputs();
 
 }  // namespace waywright::bench

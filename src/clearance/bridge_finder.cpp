@@ -6,8 +6,64 @@
 #include <utility>
 
 #include "base/compiler.hpp"
+#include "clearance/wall_line.hpp"
 
 namespace waywright::clearance {
+
+namespace {
+
+constexpr double kUnit = 0x1p-46;  ///< much more than the relative errors of the formulas below
+
+double extent_of(const Point& p) { return std::abs(p.x) + std::abs(p.y); }
+
+}  // namespace
+
+void SearchRegion::begin(const Box& box) {
+  corners_.assign({box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}});
+  half_planes_.clear();
+  bounds_ = box;
+}
+
+// Clips at a line that lies farther out than all errors: those of the normal and the limit, and those of the new
+// corners, which are much smaller than `slack`.
+void SearchRegion::clip(const Point& normal, double limit, double error) {
+  const double extent = std::max(-bounds_.min.x, bounds_.max.x) + std::max(-bounds_.min.y, bounds_.max.y);
+  const double total_error = error + kUnit * extent_of(normal);
+  const double slack = 4.0 * total_error * (extent + extent_of(normal));
+  const HalfPlane half_plane{normal, limit + slack, total_error};
+  const Point farthest{normal.x > 0.0 ? bounds_.max.x : bounds_.min.x, normal.y > 0.0 ? bounds_.max.y : bounds_.min.y};
+  if (half_plane.excess(farthest) <= 0.0) return;
+  clipped_.clear();
+  bool is_any_outside = false;
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const Point& p = corners_[i];
+    const Point& q = corners_[i + 1 < corners_.size() ? i + 1 : 0];
+    const double at_p = half_plane.excess(p);
+    const double at_q = half_plane.excess(q);
+    if (at_p <= 0.0) clipped_.push_back(p);
+    is_any_outside = is_any_outside || at_p > 0.0;
+    if ((at_p <= 0.0) == (at_q <= 0.0)) continue;
+    const double share = at_p / (at_p - at_q);
+    clipped_.push_back({p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)});
+  }
+  if (!is_any_outside) return;
+  half_planes_.push_back(half_plane);
+  corners_.swap(clipped_);
+  bounds_ = {{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}};
+  const double rounding = kUnit * extent;
+  for (const Point& p : corners_) {
+    bounds_.min = {std::min(bounds_.min.x, p.x - rounding), std::min(bounds_.min.y, p.y - rounding)};
+    bounds_.max = {std::max(bounds_.max.x, p.x + rounding), std::max(bounds_.max.y, p.y + rounding)};
+  }
+}
+
+bool SearchRegion::may_contain(const Point& z) const {
+  const double rounding = kUnit * extent_of(z);
+  if (!Box{bounds_.min - Point{rounding, rounding}, bounds_.max + Point{rounding, rounding}}.contains(z)) return false;
+  return std::none_of(half_planes_.begin(), half_planes_.end(), [&](const HalfPlane& half_plane) {
+    return half_plane.excess(z) > half_plane.error * extent_of(z);
+  });
+}
 
 using exact::Gap;
 using exact::Sign;
@@ -27,7 +83,9 @@ bool BridgeFinder::may_circle_meet(HalfEdge h, HalfEdge border) const {
   for (const HalfEdge at : {h, mesh::next(h), mesh::previous(h)}) {
     const Vertex v = mesh_.origin(at);
     if (v != p && v != q) continue;
-    return circle_of(at).may_enter(position_of(v == p ? q : p), rounding_);
+    const Disc circle =
+        Disc::of_triangle(position_of(v), position_of(mesh_.target(at)), position_of(mesh_.apex(at)), rounding_);
+    return circle.may_enter(position_of(v == p ? q : p), rounding_);
   }
   return may_touch(circle_of(h), border);
 }
@@ -53,8 +111,10 @@ WAYWRIGHT_ALWAYS_INLINE bool BridgeFinder::may_enter(const Candidate& candidate,
 }
 
 /// Returns whether no wall in the face of `entry`, and in the faces to which the search continues from there, touches
-/// the closed disc. Requires: the disc may touch the edge of `entry`.
+/// the closed disc. If the disc touches very many faces, the tree decides about all walls. Requires: the disc may touch
+/// the edge of `entry`.
 bool BridgeFinder::is_clear_beyond(const Candidate& candidate, HalfEdge entry) {
+  if (is_surely_clear_) return true;
   if (mesh_.is_fixed(entry)) return !is_blocked_by(candidate.gap, entry);
   auto& to_test = scratch_.to_test;
   to_test.clear();
@@ -67,6 +127,7 @@ bool BridgeFinder::is_clear_beyond(const Candidate& candidate, HalfEdge entry) {
     const HalfEdge right = mesh::next(entry);
     const NearVertex apex = near_vertex(candidate, mesh_.origin(left));
     if (scratch_.visit(mesh::face(entry))) {
+      if (++face_count_ > face_limit_) return is_surely_clear_ = is_clear_of_all_walls(candidate, nullptr);
       if (!(apex.square > candidate.limit) && is_blocked_by(candidate, apex.vertex)) return false;
       goes_left = may_enter(candidate, apex, origin);
       goes_right = may_enter(candidate, target, apex);
@@ -126,18 +187,20 @@ bool BridgeFinder::is_bridge(HalfEdge h) {
     if (!is_acute) return false;
   }
   const Candidate candidate = candidate_of(gap_along(h), u, v);
-  scratch_.begin();
+  begin_candidate();
   return is_clear_beyond(candidate, h) && is_clear_beyond(candidate, twin);
 }
 
 HalfEdge BridgeFinder::find_wall(HalfEdge corner) {
-  if (!is_explicit(mesh_.origin(corner))) return mesh::kNoHalfEdge;
+  if (starts_no_bridge(mesh_.origin(corner))) return mesh::kNoHalfEdge;
   const HalfEdge opposite = mesh::next(corner);
   const HalfEdge wall = mesh_.is_fixed(opposite) ? opposite : follow_diameter(corner);
+  if (wall == kTooFar) return wall;
   return wall != mesh::kNoHalfEdge && is_bridge_to(corner, wall) ? wall : mesh::kNoHalfEdge;
 }
 
-/// Returns the only wall on which a foot bridge from the corner may end, or kNoHalfEdge if there is none.
+/// Returns the only wall on which a foot bridge from the corner may end; kNoHalfEdge if there is none; or kTooFar after
+/// SearchLimits::edges.
 ///
 /// Let w be the origin of `corner`, x and y the other vertices of its face, C the circle through the three, and D the
 /// position of C opposite to w. All vectors start at w. Let f be the foot of a bridge from w. The disc of the bridge
@@ -180,7 +243,8 @@ HalfEdge BridgeFinder::follow_diameter(HalfEdge corner) const {
   };
   diameter.compute_s(*right);
   diameter.compute_s(*left);
-  for (;;) {
+  const std::uint32_t most_edges = limit(&SearchLimits::edges);
+  for (std::uint32_t edge = 0; edge < most_edges; ++edge) {
     diameter.compute_s(*apex);
     Sign apex_side = diameter.sure_side_of(*apex);
     if (apex_side == Sign::zero) {
@@ -195,6 +259,139 @@ HalfEdge BridgeFinder::follow_diameter(HalfEdge corner) const {
     entry = mesh_.twin(exit);
     *apex = vector_to(mesh_.apex(entry));
   }
+  return kTooFar;
+}
+
+/// Returns whether no wall, except those that `ignored` may contain, touches the closed disc.
+bool BridgeFinder::is_clear_of_all_walls(const Candidate& candidate, const ChangedWalls* ignored) {
+  if (!tree_->is_built()) tree_->build(triangulation_);
+  const Disc& disc = candidate.disc;
+  const Box bounds = disc.bounds(rounding_);
+  const auto may_be_blocked = [&](HalfEdge wall) {
+    const NearVertex p = near_vertex(candidate, mesh_.origin(wall));
+    const NearVertex q = near_vertex(candidate, mesh_.target(wall));
+    return may_enter(candidate, p, q) && is_blocked_by(candidate.gap, wall);
+  };
+  const auto is_ignored = [&](HalfEdge wall) {
+    return ignored != nullptr && ignored->is_any([&](const Box& box) { return may_overlap(box, wall); });
+  };
+  return tree_->for_each_in(bounds, [&](HalfEdge wall) { return is_ignored(wall) || !may_be_blocked(wall); });
+}
+
+HalfEdge BridgeFinder::find_far_wall(HalfEdge corner) {
+  find_far_ends(mesh_.origin(corner), corner, nullptr);
+  for (const FarEnd& end : scratch_.far_ends) {
+    if (end.vertex != mesh::kNoVertex) continue;
+    const HalfEdge wall = wall_facing(end.wall, mesh_.origin(corner));
+    if (is_far_wall(corner, wall)) return wall;
+  }
+  return mesh::kNoHalfEdge;
+}
+
+bool BridgeFinder::is_far_wall(HalfEdge corner, HalfEdge wall) {
+  const Gap gap = gap_to_wall(corner, wall);
+  return has_foot_on(gap, corner, wall) &&
+         is_clear_of_all_walls(candidate_of(gap, mesh_.origin(corner), mesh::kNoVertex), nullptr);
+}
+
+/// The half-edge of the wall that has `w` on its left, if `w` does not lie on the line of the wall.
+HalfEdge BridgeFinder::wall_facing(HalfEdge wall, Vertex w) const {
+  const WallLine line = wall_line(triangulation_, wall);
+  const Sign side = geometry_.orientation(exact::Geometry::view(line.from), exact::Geometry::view(line.to),
+                                          geometry_.view(number(w)));
+  return side == Sign::negative ? mesh_.twin(wall) : wall;
+}
+
+/// Collects in `far_ends` all positions at which a bridge from `w` may end: one that runs into the face of `corner` or,
+/// if this is kNoHalfEdge, any. If `ignored` is not null, the walls that it may contain do not block a bridge.
+///
+/// All vectors start at w. A bridge to z exists only if no position p of a wall lies in the closed disc from w to z, so
+/// z . p < p^2. Consider a wall that does not end at w. A bridge can end on it only at its nearest position to w, which
+/// is a foot or an end of the wall. So the search visits walls in a region that becomes smaller and smaller. It notes
+/// the nearest position p of each wall, and removes the positions z with z . p > p^2 from the region. If a wall ends at
+/// w, a bridge has an angle of at least 90 degrees with it: z . p <= 0 for its other end p.
+///
+/// The order of the walls and the region only save time: exact predicates decide about each position.
+void BridgeFinder::find_far_ends(Vertex w, HalfEdge corner, const ChangedWalls* ignored) {
+  if (!tree_->is_built()) tree_->build(triangulation_);
+  SearchRegion& region = scratch_.region;
+  scratch_.far_ends.clear();
+  const Point& from = position_of(w);
+  const Box& domain = triangulation_.domain();
+  region.begin({domain.min - from, domain.max - from});
+  if (corner != mesh::kNoHalfEdge) {
+    const Point x = position_of(mesh_.target(corner)) - from;
+    const Point y = position_of(mesh_.apex(corner)) - from;
+    exclude_side({x.y, -x.x});
+    exclude_side({-y.y, y.x});
+    exclude_beyond(x);
+    exclude_beyond(y);
+  }
+  Box box;
+  const auto take_bounds = [&] {
+    const Box& bounds = region.bounds();
+    const double slack = 4.0 * (rounding_ + kUnit * (extent_of(from) + extent_of(domain.max - domain.min)));
+    box = {bounds.min + from - Point{slack, slack}, bounds.max + from + Point{slack, slack}};
+  };
+  take_bounds();
+  tree_->search(box, from, [&](HalfEdge wall) {
+    const bool is_ignored =
+        ignored != nullptr && ignored->is_any([&](const Box& changed) { return may_overlap(changed, wall); });
+    offer_far_wall(w, wall, is_ignored);
+    take_bounds();
+  });
+  std::erase_if(scratch_.far_ends, [&](const FarEnd& end) { return !region.may_contain(end.position); });
+}
+
+/// Excludes the positions z with z . p > p^2 from the region of the search.
+void BridgeFinder::exclude_beyond(const Point& p, double error) {
+  scratch_.region.clip(p, p.x * p.x + p.y * p.y, error + 4.0 * rounding_);
+}
+
+/// Excludes the positions z with z . p > 0 from the region of the search.
+void BridgeFinder::exclude_side(const Point& p) { scratch_.region.clip(p, 0.0, 4.0 * rounding_); }
+
+/// Notes the nearest position of the wall to `w` as a possible end of a bridge, and makes the region smaller.
+void BridgeFinder::offer_far_wall(Vertex w, HalfEdge wall, bool is_ignored) {
+  const Vertex u = mesh_.origin(wall);
+  const Vertex v = mesh_.target(wall);
+  const Point& from = position_of(w);
+  const Point p = position_of(u) - from;
+  const Point q = position_of(v) - from;
+  if (u == w || v == w) {
+    if (!is_ignored) exclude_side(u == w ? q : p);
+    return;
+  }
+  const Point along = q - p;
+  const double at_p = p.x * along.x + p.y * along.y;
+  const double at_q = q.x * along.x + q.y * along.y;
+  const double extent = extent_of(p) + extent_of(q);
+  const double slack = (kUnit * extent + 8.0 * rounding_) * (extent + 8.0 * rounding_);
+  const auto offer = [&](Vertex end, const Point& position, double error, bool is_sure) {
+    if (scratch_.region.may_contain(position)) scratch_.far_ends.push_back({wall, end, position});
+    if (is_sure && !is_ignored) exclude_beyond(position, error);
+  };
+  if (at_p < slack && at_q > -slack) {
+    const constraint::Side& side = triangulation_.any_side(wall);
+    const Disc disc = Disc::of_gap(from, position_of(side.from), position_of(side.to));
+    const Point foot{2.0 * disc.centre.x, 2.0 * disc.centre.y};
+    offer(mesh::kNoVertex, foot, 4.0 * disc.error, at_p < -slack && at_q > slack);
+  }
+  if (at_p > -slack) offer(u, p, 0.0, true);
+  if (at_q < slack) offer(v, q, 0.0, true);
+}
+
+/// Returns whether the line from `w` to the end would be a bridge without the walls that `changed` may contain, and one
+/// of these walls may touch its disc.
+bool BridgeFinder::is_far_bridge(Vertex w, const FarEnd& end, const ChangedWalls& changed) {
+  const bool has_foot = end.vertex == mesh::kNoVertex;
+  if (!has_foot && !is_explicit(end.vertex)) return false;
+  const Point& to = position_of(has_foot ? w : end.vertex);
+  const constraint::Side& side = triangulation_.any_side(end.wall);
+  const Gap gap =
+      has_foot ? Gap{position_of(w), position_of(side.from), position_of(side.to)} : Gap{position_of(w), to, to};
+  const Candidate candidate = candidate_of(gap, w, end.vertex);
+  return may_touch(candidate.disc, changed) && is_clear_of_all_walls(candidate, &changed);
 }
 
 /// Says exactly whether the apex of `entry` lies left or right of the diameter at the corner: positive if left,
@@ -221,7 +418,7 @@ bool BridgeFinder::is_bridge_to(HalfEdge corner, HalfEdge wall) {
   const Vertex y = mesh_.apex(corner);
   const Candidate candidate = candidate_of(gap, w, mesh::kNoVertex);
   if (is_blocked_by(candidate, x) || is_blocked_by(candidate, y)) return false;
-  scratch_.begin();
+  begin_candidate();
   (void)scratch_.visit(mesh::face(corner));
   const NearVertex at_w = near_vertex(candidate, w);
   if (may_enter(candidate, at_w, near_vertex(candidate, x)) && !is_clear_beyond(candidate, mesh_.twin(corner)))

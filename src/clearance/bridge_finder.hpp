@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "clearance/changed_walls.hpp"
 #include "clearance/diameter.hpp"
 #include "clearance/disc.hpp"
+#include "clearance/wall_tree.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "constraint/rounding.hpp"
 #include "exact/gap.hpp"
@@ -16,17 +18,71 @@
 
 namespace waywright::clearance {
 
+/// A convex polygon in doubles that contains all positions z that it should contain, relative to a vertex.
+class SearchRegion {
+ public:
+  /// Starts with a box.
+  void begin(const Box& box);
+  /// Removes positions for which normal . z surely is larger than `limit`. Each coordinate of the normal may be wrong
+  /// by `error`, and the limit by 2 `error` times the magnitudes of the coordinates of the normal.
+  void clip(const Point& normal, double limit, double error);
+  /// A box that contains the polygon.
+  [[nodiscard]] const Box& bounds() const { return bounds_; }
+  /// Returns false only if the region surely does not contain the position.
+  [[nodiscard]] bool may_contain(const Point& z) const;
+
+  void count_memory(MemoryUse& use) const { memory::count_spare(use, corners_, clipped_, half_planes_); }
+
+ private:
+  struct HalfPlane {
+    Point normal;
+    double limit, error;
+
+    [[nodiscard]] double excess(const Point& z) const { return normal.x * z.x + normal.y * z.y - limit; }
+  };
+
+  std::vector<Point> corners_;
+  std::vector<Point> clipped_;  ///< scratch of clip()
+  std::vector<HalfPlane> half_planes_;
+  Box bounds_;
+};
+
+/// The end of a line from a vertex that may be a bridge: another vertex, or the foot inside a wall.
+struct FarEnd {
+  mesh::HalfEdge wall;  ///< one of the two half-edges
+  mesh::Vertex vertex;  ///< kNoVertex for a foot
+  Point position;       ///< relative to the start
+};
+
+/// A search from face to face goes on in the tree of walls when it has come this far. As long as there is no tree, the
+/// limits are kBeforeTree times as large, so that most worlds never have one.
+struct SearchLimits {
+  static constexpr std::uint32_t kBeforeTree = 6;
+
+  std::uint32_t faces = 8;   ///< that a disc touches
+  std::uint32_t edges = 4;   ///< that a line crosses
+  std::uint32_t spokes = 3;  ///< around a vertex
+};
+
 /// The scratch of BridgeFinder. Keep the object: later searches use its memory again.
 struct BridgeScratch {
   std::vector<mesh::HalfEdge> to_enter;        ///< half-edges through which ChangedRegion enters faces
   std::vector<mesh::HalfEdge> to_test;         ///< half-edges through which the search for walls in a disc enters faces
   memory::ZeroedArray<std::uint32_t> visited;  ///< by face: the number of the last search that visited it
   memory::Stamp stamp;
+  SearchRegion region;           ///< contains the ends of the bridges that find_far_ends() looks for
+  std::vector<FarEnd> far_ends;  ///< the result of find_far_ends()
 
   /// Starts a search that visits each face at most once.
   void begin() { stamp.next(1, visited); }
   /// Returns whether this is the search's first visit of the face.
   [[nodiscard]] bool visit(mesh::Face f) { return std::exchange(visited[number(f)], stamp.value()) != stamp.value(); }
+
+  void count_memory(MemoryUse& use) const {
+    memory::count_spare(use, to_enter, to_test, far_ends);
+    region.count_memory(use);
+    use.spare += visited.size() * sizeof(std::uint32_t);
+  }
 };
 
 /// Finds the bridges of a mesh, one candidate at a time.
@@ -50,14 +106,30 @@ class BridgeFinder {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
-  BridgeFinder(const Triangulation& triangulation, BridgeScratch& scratch)
+  /// Requires: if the tree is built, it is up to date. Without a tree, find_wall(), is_bridge() and find_far_bridges()
+  /// must not be called.
+  explicit BridgeFinder(const Triangulation& triangulation, BridgeScratch& scratch, WallTree* tree = nullptr,
+                        const SearchLimits& limits = {})
       : scratch_(scratch),
+        tree_(tree),
+        limits_(limits),
         triangulation_(triangulation),
         mesh_(triangulation.topology()),
         geometry_(triangulation.triangulation().geometry()),
         rounding_(constraint::largest_rounding(triangulation)),
         errors_(rounding_) {
     scratch.visited.grow_to(mesh_.face_slots());
+  }
+
+  /// The limit at present of a search that has one of the members of SearchLimits as its limit.
+  [[nodiscard]] std::uint32_t limit(std::uint32_t SearchLimits::*member) const {
+    return limits_.*member * (tree_->is_built() ? 1 : SearchLimits::kBeforeTree);
+  }
+
+  /// Returns whether surely no bridge starts at the vertex: it is a corner of the domain, or a crossing.
+  [[nodiscard]] bool starts_no_bridge(mesh::Vertex v) const {
+    const auto& corners = triangulation_.triangulation().domain_corners();
+    return !is_explicit(v) || std::find(corners.begin(), corners.end(), v) != corners.end();
   }
 
   /// Returns one bit for each angle of a face. Bit i is 0 only if the angle at the origin of half-edge i of the face is
@@ -76,17 +148,56 @@ class BridgeFinder {
   /// Returns whether the free edge of `h` is a bridge. Requires: `h` and its twin belong to faces of the domain.
   [[nodiscard]] bool is_bridge(mesh::HalfEdge h);
   /// Looks for the bridge that starts at the origin of `corner`, runs into the face of `corner` and ends inside a wall.
-  /// Returns the wall, as a half-edge that has the bridge on its left, or kNoHalfEdge if there is no such bridge.
+  /// Returns the wall, as a half-edge that has the bridge on its left; kNoHalfEdge if there is no such bridge; or
+  /// kTooFar after SearchLimits::edges edges. Then one of the next two functions finds the wall.
   [[nodiscard]] mesh::HalfEdge find_wall(mesh::HalfEdge corner);
+  static constexpr mesh::HalfEdge kTooFar{number(mesh::kNoHalfEdge) - 1};
+  /// As find_wall(), by a search in the tree.
+  [[nodiscard]] mesh::HalfEdge find_far_wall(mesh::HalfEdge corner);
+  /// Returns whether the bridge ends on this wall.
+  [[nodiscard]] bool is_far_wall(mesh::HalfEdge corner, mesh::HalfEdge wall);
+  /// Returns whether the foot of the gap lies strictly inside `wall`, and the gap runs from the origin of `corner` into
+  /// its face. Requires: `wall` has the origin of `corner` on its left, and no wall crosses the gap.
+  [[nodiscard]] bool has_foot_on(const exact::Gap& gap, mesh::HalfEdge corner, mesh::HalfEdge wall) const;
+  /// Calls on_edge(h) or on_corner(h) for each bridge that starts at `w`, exists before or after the operation, and
+  /// whose disc touches a changed wall; and for some that do not exist. Requires: there are boxes of changed walls
+  /// (ChangedWalls::are_all() is false).
+  template <class OnEdge, class OnCorner>
+  void find_far_bridges(mesh::Vertex w, const ChangedWalls& changed, OnEdge&& on_edge, OnCorner&& on_corner) {
+    find_far_ends(w, mesh::kNoHalfEdge, &changed);
+    for (const FarEnd& end : scratch_.far_ends) {
+      if (!is_far_bridge(w, end, changed)) continue;
+      if (end.vertex != mesh::kNoVertex) {
+        const mesh::HalfEdge h = mesh_.find(w, end.vertex);
+        if (h != mesh::kNoHalfEdge && !mesh_.is_fixed(h)) on_edge(h);
+        continue;
+      }
+      const mesh::HalfEdge wall = wall_facing(end.wall, w);
+      mesh_.for_each_outgoing(w, [&](mesh::HalfEdge h) {
+        if (triangulation_.triangulation().is_ghost_face(h)) return;
+        if (has_foot_on(gap_to_wall(h, wall), h, wall)) on_corner(h);
+      });
+    }
+  }
 
   /// The disc whose diameter is the edge of `h`.
   [[nodiscard]] Disc disc_of(mesh::HalfEdge h) const {
     return Disc::of_edge(position_of(mesh_.origin(h)), position_of(mesh_.target(h)), rounding_);
   }
-  /// The circle through the three vertices of the face of `h`.
+  /// The circle through the three vertices of the face of `h`. Its origin is the vertex opposite to the longest edge:
+  /// from there, the vectors to the other two are short, and the centre is as exact as possible.
   [[nodiscard]] Disc circle_of(mesh::HalfEdge h) const {
-    return Disc::of_triangle(position_of(mesh_.origin(h)), position_of(mesh_.target(h)), position_of(mesh_.apex(h)),
-                             rounding_);
+    const Point& a = position_of(mesh_.origin(h));
+    const Point& b = position_of(mesh_.target(h));
+    const Point& c = position_of(mesh_.apex(h));
+    const auto square = [](const Point& p, const Point& q) {
+      return (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
+    };
+    const double ab = square(a, b);
+    const double bc = square(b, c);
+    const double ca = square(c, a);
+    if (bc >= ab && bc >= ca) return Disc::of_triangle(a, b, c, rounding_);
+    return ca >= ab ? Disc::of_triangle(b, c, a, rounding_) : Disc::of_triangle(c, a, b, rounding_);
   }
   /// Returns false only if no position of the edge `border`, without its ends, lies strictly inside the circle of the
   /// face of `h`.
@@ -140,12 +251,18 @@ class BridgeFinder {
     bool is_end;  ///< whether the vertex is an end of the candidate
   };
 
+  /// Returns false only if the box of the wall and the other box have no position in common.
+  [[nodiscard]] bool may_overlap(const Box& box, mesh::HalfEdge wall) const {
+    const Point& p = position_of(mesh_.origin(wall));
+    const Point& q = position_of(mesh_.target(wall));
+    return std::min(p.x, q.x) <= box.max.x + rounding_ && std::max(p.x, q.x) >= box.min.x - rounding_ &&
+           std::min(p.y, q.y) <= box.max.y + rounding_ && std::max(p.y, q.y) >= box.min.y - rounding_;
+  }
   [[nodiscard]] const Point& position_of(mesh::Vertex v) const { return geometry_.rounded(number(v)); }
   [[nodiscard]] bool is_explicit(mesh::Vertex v) const { return geometry_.is_explicit(number(v)); }
   /// Says where `v` lies relative to a gap that ends at a foot on the line from a to b: positive if `v` is farther
   /// along this line than the foot, zero if it lies on the line of the gap, negative otherwise.
   [[nodiscard]] exact::Sign side_of_foot(const exact::Gap& gap, mesh::Vertex v) const;
-  [[nodiscard]] bool has_foot_on(const exact::Gap& gap, mesh::HalfEdge corner, mesh::HalfEdge wall) const;
   [[nodiscard]] bool is_blocked_by(const exact::Gap& gap, mesh::HalfEdge wall) const;
   /// Returns whether a vertex, which is not an end of the candidate, surely lies in the closed disc.
   [[nodiscard]] bool is_blocked_by(const Candidate& candidate, mesh::Vertex v) const {
@@ -187,16 +304,34 @@ class BridgeFinder {
   [[nodiscard]] bool is_not_acute(mesh::Vertex p, mesh::Vertex v, mesh::Vertex q) const {
     return Disc::is_surely_not_acute(position_of(p), position_of(v), position_of(q), rounding_);
   }
+  void begin_candidate() {
+    scratch_.begin();
+    face_count_ = 0;
+    face_limit_ = limit(&SearchLimits::faces);
+    is_surely_clear_ = false;
+  }
+  [[nodiscard]] bool is_clear_of_all_walls(const Candidate& candidate, const ChangedWalls* ignored);
   [[nodiscard]] mesh::HalfEdge follow_diameter(mesh::HalfEdge corner) const;
+  void find_far_ends(mesh::Vertex w, mesh::HalfEdge corner, const ChangedWalls* ignored);
+  void exclude_beyond(const Point& p, double error = 0.0);
+  void exclude_side(const Point& p);
+  void offer_far_wall(mesh::Vertex w, mesh::HalfEdge wall, bool is_ignored);
+  [[nodiscard]] bool is_far_bridge(mesh::Vertex w, const FarEnd& end, const ChangedWalls& changed);
+  [[nodiscard]] mesh::HalfEdge wall_facing(mesh::HalfEdge wall, mesh::Vertex w) const;
   [[nodiscard]] exact::Sign side_of_diameter(mesh::HalfEdge corner, mesh::HalfEdge entry) const;
   [[nodiscard]] bool is_bridge_to(mesh::HalfEdge corner, mesh::HalfEdge wall);
 
   BridgeScratch& scratch_;
+  WallTree* tree_;
+  SearchLimits limits_;
   const Triangulation& triangulation_;
   const mesh::TriangleMesh& mesh_;
   const exact::Geometry& geometry_;
   double rounding_;
   Diameter::Errors errors_;
+  std::uint32_t face_count_ = 0;  ///< the faces that the search in the disc of the present candidate has visited
+  std::uint32_t face_limit_ = 0;
+  bool is_surely_clear_ = false;  ///< whether the tree says that no wall touches this disc
 };
 
 }  // namespace waywright::clearance

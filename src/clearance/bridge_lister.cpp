@@ -178,7 +178,7 @@ Bridge BridgeLister::append_items(const Triangulation& triangulation, const Brid
   for_each_item_at(triangulation, starts_at_origin ? mesh.origin(h) : mesh.target(h), add);
   bridge.from_count = keep_one_of_each(ids, bridge.first_id);
   if (bridge.has_foot) {
-    for_each_item_on(triangulation, bridges.foot(listed.gate.foot).wall, add);
+    for_each_item_on(triangulation, bridges.wall_of(listed.gate.foot), add);
   } else {
     for_each_item_at(triangulation, starts_at_origin ? mesh.target(h) : mesh.origin(h), add);
   }

@@ -1,7 +1,8 @@
 #include "clearance/bridges.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <array>
+#include <tuple>
 #include <utility>
 
 #include "clearance/wall_line.hpp"
@@ -19,6 +20,11 @@ namespace {
 /// its angles are acute.
 constexpr std::uint8_t kNotInDomain = 0;
 
+/// The line of a row, in an order of lines.
+std::array<double, 4> line_of(const Feet::Row& row) {
+  return {row.line_from.x, row.line_from.y, row.line_to.x, row.line_to.y};
+}
+
 }  // namespace
 
 /// The destructor rolls the bridges back, unless keep() was called.
@@ -27,6 +33,8 @@ class Bridges::Guard {
   explicit Guard(Bridges& bridges) : bridges_(bridges) { bridges_.begin(); }
   ~Guard() {
     bridges_.region_.clear();
+    for (const Vertex v : bridges_.made_) bridges_.is_made_[number(v)] = false;
+    bridges_.made_.clear();
     if (!is_kept_) bridges_.roll_back();
   }
   Guard(const Guard&) = delete;
@@ -39,10 +47,10 @@ class Bridges::Guard {
   bool is_kept_ = false;
 };
 
-Bridges::Bridges(const Triangulation& triangulation) {
+Bridges::Bridges(const Triangulation& triangulation, const SearchLimits& limits) : limits_(limits) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   grow_to_mesh(mesh);
-  BridgeFinder finder(triangulation, scratch_);
+  BridgeFinder finder(triangulation, scratch_, &tree_, limits_);
   const auto for_each_face = [&](const auto& visit) {
     for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
       if (triangulation.triangulation().is_in_domain(Face{i})) visit(Face{i});
@@ -50,7 +58,7 @@ Bridges::Bridges(const Triangulation& triangulation) {
   };
   for_each_face([&](Face f) { note_angles(finder, f); });
   for_each_face([&](Face f) {
-    find_at_corners(finder, f);
+    find_at_corners(triangulation, finder, f);
     for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
       const HalfEdge h{i};
       if (!mesh.is_fixed(h) && h < mesh.twin(h) && may_be_bridge(h, mesh.twin(h)))
@@ -58,8 +66,6 @@ Bridges::Bridges(const Triangulation& triangulation) {
     }
     begin();  // empties the logs: no earlier state exists
   });
-  link_new_feet(triangulation);
-  begin();
   shrink_to_fit();
 }
 
@@ -73,7 +79,7 @@ void Bridges::begin() {
   corners_.begin();
   walls_.begin();
   feet_.begin();
-  free_feet_before_ = free_feet_;
+  tree_.begin();
   before_rebuild_.reset();
 }
 
@@ -85,7 +91,7 @@ void Bridges::roll_back() {
   corners_.roll_back();
   walls_.roll_back();
   feet_.roll_back();
-  free_feet_ = free_feet_before_;
+  tree_.roll_back();
 }
 
 void Bridges::update(const Triangulation& triangulation, const mesh::TouchedFaces& touched,
@@ -98,18 +104,24 @@ void Bridges::update(const Triangulation& triangulation, const mesh::TouchedFace
     return;
   }
   region_.begin(triangulation, touched);
-  new_feet_.clear();
   grow_to_mesh(mesh);
-  BridgeFinder finder(triangulation, scratch_);
+  note_made_vertices(mesh);
+  loose_feet_.clear();
+  loose_rows_.clear();
+  for (const Face f : touched.faces()) clear_face(f);
+  drop_lost_feet(mesh);
+  move_rows(triangulation);
+  if (tree_.is_built()) tree_.update(triangulation, touched);
+  BridgeFinder finder(triangulation, scratch_, &tree_, limits_);
+  keep_feet(triangulation, changed, finder);
   find_in_touched(triangulation, changed, finder);
   find_beyond(triangulation, changed, finder);
-  link_new_feet(triangulation);
   guard.keep();
 }
 
 /// Rebuilds the bridges. If most faces are touched, this costs less than an update of each touched face.
 void Bridges::rebuild(const Triangulation& triangulation) {
-  auto rebuilt = std::make_unique<Bridges>(triangulation);
+  auto rebuilt = std::make_unique<Bridges>(triangulation, limits_);
   swap_bridges(*rebuilt);
   before_rebuild_ = std::move(rebuilt);
 }
@@ -119,11 +131,215 @@ void Bridges::swap_bridges(Bridges& other) {
   std::swap(corners_, other.corners_);
   std::swap(walls_, other.walls_);
   std::swap(feet_, other.feet_);
-  std::swap(free_feet_, other.free_feet_);
+  std::swap(tree_, other.tree_);
 }
 
-/// Removes three kinds of bridges: along an edge of a touched face, from a corner of such a face, and to a wall that is
-/// an edge of such a face. Then finds the first two kinds again. find_beyond() finds the third kind again.
+void Bridges::note_made_vertices(const mesh::TriangleMesh& mesh) {
+  if (is_made_.size() < mesh.vertex_slots()) is_made_.resize(mesh.vertex_slots());
+  mesh.for_each_touched_vertex([&](Vertex v, mesh::TriangleMesh::Touch touch) {
+    if (touch != mesh::TriangleMesh::Touch::made || is_made_[number(v)]) return;
+    made_.push_back(v);
+    is_made_[number(v)] = true;
+  });
+}
+
+/// Empties the entries of a touched face: notes the feet and rows in `loose_feet_` and `loose_rows_`.
+void Bridges::clear_face(Face f) {
+  const std::uint32_t first = 3 * number(f);
+  const std::uint32_t of_corners = corners_[first] | corners_[first + 1] | corners_[first + 2];
+  if ((of_corners | walls_[first] | walls_[first + 1] | walls_[first + 2]) == 0) return;
+  for (std::uint32_t i = first; i < first + 3; ++i) {
+    if (const std::uint32_t foot = foot_at(HalfEdge{i}); foot != kNone) loose_feet_.push_back(foot);
+    write_corner(HalfEdge{i}, 0);
+    if (walls_[i] == 0) continue;
+    const Feet::Row& row = feet_.row(walls_[i] - 1);
+    loose_rows_.push_back({row.from, row.to, walls_[i] - 1});
+    walls_.write(i, 0);
+  }
+}
+
+/// Removes the loose feet whose bridges start at vertices that no longer exist.
+void Bridges::drop_lost_feet(const mesh::TriangleMesh& mesh) {
+  std::erase_if(loose_feet_, [&](std::uint32_t foot) {
+    if (!is_lost(mesh, feet_.foot(foot).from)) return false;
+    remove_foot(foot);
+    return true;
+  });
+}
+
+/// Gives the loose rows to the walls that exist now. If the two ends of a wall have not changed, the wall has not
+/// changed. Otherwise deal_out_feet() looks for the walls on the line of the row.
+void Bridges::move_rows(const Triangulation& triangulation) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  std::erase_if(loose_rows_, [&](const LooseRow& loose) { return feet_.row(loose.row).wall == mesh::kNoHalfEdge; });
+  if (loose_rows_.empty()) return;
+  const auto ends = [](const LooseRow& loose) { return std::pair(loose.from, loose.to); };
+  std::sort(loose_rows_.begin(), loose_rows_.end(),
+            [&](const LooseRow& p, const LooseRow& q) { return ends(p) < ends(q); });
+  for (const Face f : region_.touched().faces()) {
+    if (!triangulation.triangulation().is_in_domain(f)) continue;
+    for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
+      const HalfEdge h{i};
+      if (!mesh.is_fixed(h)) continue;
+      const std::pair wanted(mesh.origin(h), mesh.target(h));
+      const auto at = std::lower_bound(loose_rows_.begin(), loose_rows_.end(), wanted,
+                                       [&](const LooseRow& loose, const auto& pair) { return ends(loose) < pair; });
+      if (at == loose_rows_.end() || ends(*at) != wanted) continue;
+      if (is_lost(mesh, wanted.first) || is_lost(mesh, wanted.second)) continue;
+      put_row_on(mesh, at->row, h);
+      at->row = kNone;
+    }
+  }
+  lost_rows_.clear();
+  for (const LooseRow& loose : loose_rows_) {
+    if (loose.row != kNone) lost_rows_.push_back(loose.row);
+  }
+  if (lost_rows_.empty()) return;
+  collect_new_walls(triangulation);
+  std::size_t wall = 0;
+  for (std::size_t begin = 0; begin < lost_rows_.size();) {
+    std::size_t end = begin + 1;
+    while (end < lost_rows_.size() && line_of(feet_.row(lost_rows_[begin])) == line_of(feet_.row(lost_rows_[end])))
+      ++end;
+    std::size_t last_wall = wall;
+    while (last_wall < new_walls_.size() && new_walls_[last_wall].row == begin) ++last_wall;
+    deal_out_feet(triangulation, {lost_rows_.data() + begin, end - begin},
+                  {new_walls_.data() + wall, last_wall - wall});
+    wall = last_wall;
+    begin = end;
+  }
+}
+
+void Bridges::put_row_on(const mesh::TriangleMesh& mesh, std::uint32_t row, HalfEdge wall) {
+  Feet::Row changed = feet_.row(row);
+  changed.wall = wall;
+  changed.from = mesh.origin(wall);
+  changed.to = mesh.target(wall);
+  feet_.set_row(row, changed);
+  walls_.write(number(wall), row + 1);
+}
+
+/// Sorts `lost_rows_`, and collects in `new_walls_` the walls of touched faces that have no row but a side on the line
+/// of a lost row.
+void Bridges::collect_new_walls(const Triangulation& triangulation) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const exact::Geometry& geometry = triangulation.triangulation().geometry();
+  std::sort(lost_rows_.begin(), lost_rows_.end(), [&](std::uint32_t p, std::uint32_t q) {
+    return std::pair(line_of(feet_.row(p)), p) < std::pair(line_of(feet_.row(q)), q);
+  });
+  new_walls_.clear();
+  for (const Face f : region_.touched().faces()) {
+    if (!triangulation.triangulation().is_in_domain(f)) continue;
+    for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
+      const HalfEdge h{i};
+      if (!mesh.is_fixed(h) || walls_[i] != 0) continue;
+      bool is_found = false;
+      triangulation.for_each_side(h, [&](const constraint::Side& side) {
+        if (is_found) return;
+        const WallLine line = wall_line(triangulation, h, side);
+        const std::array wanted = {line.from.x, line.from.y, line.to.x, line.to.y};
+        const auto at =
+            std::lower_bound(lost_rows_.begin(), lost_rows_.end(), wanted,
+                             [&](std::uint32_t row, const auto& values) { return line_of(feet_.row(row)) < values; });
+        is_found = at != lost_rows_.end() && line_of(feet_.row(*at)) == wanted;
+        if (is_found) new_walls_.push_back({static_cast<std::size_t>(at - lost_rows_.begin()), h});
+      });
+    }
+  }
+  std::sort(new_walls_.begin(), new_walls_.end(), [&](const NewWall& p, const NewWall& q) {
+    if (p.row != q.row) return p.row < q.row;
+    const Feet::Row& row = feet_.row(lost_rows_[p.row]);
+    const bool is_up = std::tie(row.line_from.x, row.line_from.y) < std::tie(row.line_to.x, row.line_to.y);
+    const Vertex from = mesh.origin((is_up ? p : q).wall);
+    const Vertex to = mesh.origin((is_up ? q : p).wall);
+    return geometry.order(geometry.view(number(from)), geometry.view(number(to))) < 0;
+  });
+}
+
+/// Gives the feet of the rows on one line to the walls on this line. Drops the feet that lie on no wall.
+void Bridges::deal_out_feet(const Triangulation& triangulation, std::span<std::uint32_t> rows,
+                            std::span<const NewWall> walls) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const exact::Geometry& geometry = triangulation.triangulation().geometry();
+  const Feet::Row line = feet_.row(rows.front());
+  const auto start_of = [&](std::uint32_t foot) { return geometry.rounded(number(feet_.foot(foot).from)); };
+  std::sort(rows.begin(), rows.end(), [&](std::uint32_t p, std::uint32_t q) {
+    return p != q && exact::dot(start_of(feet_.row(p).root), start_of(feet_.row(q).root), line.line_from,
+                                line.line_to) == exact::Sign::positive;
+  });
+  std::uint32_t tree = 0;
+  for (const std::uint32_t row : rows) tree = feet_.join(tree, feet_.take(row));
+  const auto take_before = [&](Vertex v) {
+    const Feet::Parts parts = feet_.split(tree, [&](std::uint32_t foot) {
+      return exact::dot(start_of(foot), geometry.exact(number(v)), line.line_from, line.line_to) ==
+             exact::Sign::positive;
+    });
+    tree = parts.after;
+    return parts.before;
+  };
+  for (const NewWall& wall : walls) {
+    drop_tree(take_before(mesh.origin(wall.wall)));
+    const std::uint32_t on_wall = take_before(mesh.target(wall.wall));
+    if (on_wall == 0) continue;
+    put_row_on(mesh, feet_.add_row({wall.wall, {}, {}, on_wall - 1, line.line_from, line.line_to}), wall.wall);
+  }
+  drop_tree(tree);
+}
+
+/// Removes feet that lie on no wall any more, and looks again at their corners.
+void Bridges::drop_tree(std::uint32_t tree) {
+  feet_.free_tree(tree, [&](HalfEdge corner) {
+    if (region_.touched().contains(mesh::face(corner))) return;
+    write_corner(corner, corners_[number(corner)] & kIsBridge);
+    region_.add_corner(corner);
+  });
+}
+
+exact::Gap Bridges::gap_of(const Triangulation& triangulation, std::uint32_t foot) const {
+  const Feet::Row& row = feet_.row(feet_.row_of(foot));
+  const Point& from = triangulation.triangulation().geometry().rounded(number(feet_.foot(foot).from));
+  return {from, row.line_from, row.line_to};
+}
+
+/// Returns whether the bridge surely exists now as before. If no changed wall touches its closed disc, the disc touches
+/// the same walls as before.
+bool Bridges::is_kept(const Triangulation& triangulation, const ChangedWalls& changed, const BridgeFinder& finder,
+                      std::uint32_t foot) const {
+  if (changed.are_all()) return false;
+  const exact::Gap gap = gap_of(triangulation, foot);
+  return !finder.may_touch(Disc::of_gap(gap.from, gap.a, gap.b), changed);
+}
+
+/// Collects the loose feet that stay in `kept_feet_`, and removes the others.
+void Bridges::keep_feet(const Triangulation& triangulation, const ChangedWalls& changed, const BridgeFinder& finder) {
+  kept_feet_.clear();
+  for (const std::uint32_t foot : loose_feet_) {
+    if (feet_.foot(foot).corner == mesh::kNoHalfEdge) continue;  // drop_tree() has removed it
+    if (is_kept(triangulation, changed, finder, foot)) {
+      kept_feet_.push_back({feet_.foot(foot).from, foot});
+    } else {
+      remove_foot(foot);
+    }
+  }
+  std::sort(kept_feet_.begin(), kept_feet_.end(),
+            [](const KeptFoot& p, const KeptFoot& q) { return std::pair(p.from, p.foot) < std::pair(q.from, q.foot); });
+}
+
+/// Gives the corner the kept foot whose bridge runs into its face, if there is one.
+void Bridges::adopt(const Triangulation& triangulation, const BridgeFinder& finder, HalfEdge corner) {
+  const Vertex from = triangulation.topology().origin(corner);
+  auto at = std::lower_bound(kept_feet_.begin(), kept_feet_.end(), from,
+                             [](const KeptFoot& kept, Vertex v) { return kept.from < v; });
+  for (; at != kept_feet_.end() && at->from == from; ++at) {
+    if (at->foot == kNone || !finder.has_foot_on(gap_of(triangulation, at->foot), corner, wall_of(at->foot))) continue;
+    const std::uint32_t foot = std::exchange(at->foot, kNone);
+    feet_.set_corner(foot, corner);
+    write_corner(corner, (foot + 1) << 1 | (corners_[number(corner)] & kIsBridge));
+    return;
+  }
+}
+
+/// Finds the bridges along the edges of the touched faces, and the foot bridges from the corners of these faces.
 ///
 /// If the other face of an edge is not touched, the half-edge in that face still says whether the edge was a bridge
 /// before the operation. The edge is a bridge now if and only if it was one before, unless a changed wall touches its
@@ -132,13 +348,14 @@ void Bridges::find_in_touched(const Triangulation& triangulation, const ChangedW
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto is_in_domain = [&](Face f) { return triangulation.triangulation().is_in_domain(f); };
   for (const Face f : region_.touched().faces()) {
-    clear_face(f);
     acute_[number(f)] = kNotInDomain;
-    if (is_in_domain(f)) note_angles(finder, f);
+    if (!is_in_domain(f)) continue;
+    note_angles(finder, f);
+    for_each_corner_with_foot(f, [&](HalfEdge corner) { adopt(triangulation, finder, corner); });
   }
   for (const Face f : region_.touched().faces()) {
     if (acute_[number(f)] == kNotInDomain) continue;
-    find_at_corners(finder, f);
+    find_at_corners(triangulation, finder, f);
     for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
       const HalfEdge h{i};
       const HalfEdge twin = mesh.twin(h);
@@ -164,11 +381,10 @@ void Bridges::note_angles(const BridgeFinder& finder, Face f) {
 }
 
 /// Finds the foot bridges that start at the corners of a face. Requires: note_angles() was called for the face.
-void Bridges::find_at_corners(BridgeFinder& finder, Face f) {
-  for (unsigned corners = BridgeFinder::corners_with_foot(acute_[number(f)]); corners != 0; corners &= corners - 1) {
-    const auto i = static_cast<std::uint32_t>(std::countr_zero(corners));
-    find_at_corner(finder, mesh::half_edge(f, i));
-  }
+void Bridges::find_at_corners(const Triangulation& triangulation, BridgeFinder& finder, Face f) {
+  for_each_corner_with_foot(f, [&](HalfEdge corner) {
+    if (foot_at(corner) == kNone) find_at_corner(triangulation, finder, corner);
+  });
 }
 
 bool Bridges::may_be_bridge(HalfEdge h, HalfEdge twin) const {
@@ -182,35 +398,38 @@ bool Bridges::may_be_bridge(HalfEdge h, HalfEdge twin) const {
 
 void Bridges::find_beyond(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder) {
   region_.collect_beyond(changed, finder, scratch_);
-  for (const HalfEdge corner : region_.corners()) find_at_corner(finder, corner);
+  for (const HalfEdge corner : region_.corners()) {
+    const std::uint32_t foot = foot_at(corner);
+    if (foot != kNone && is_kept(triangulation, changed, finder, foot)) continue;
+    find_at_corner(triangulation, finder, corner);
+  }
   for (const HalfEdge h : region_.edges()) find_at_edge(triangulation, finder, h);
 }
 
-void Bridges::clear_face(Face f) {
-  const std::uint32_t first = 3 * number(f);
-  const std::uint32_t of_corners = corners_[first] | corners_[first + 1] | corners_[first + 2];
-  if ((of_corners | walls_[first] | walls_[first + 1] | walls_[first + 2]) == 0) return;
-  for (std::uint32_t i = 3 * number(f); i < 3 * number(f) + 3; ++i) {
-    if ((corners_[i] | walls_[i]) == 0) continue;
-    const HalfEdge h{i};
-    if (const std::uint32_t foot = foot_at(h); foot != kNone) remove_foot(foot);
-    while (first_foot_on(h) != kNone) {
-      const std::uint32_t foot = first_foot_on(h);
-      if (!region_.touched().contains(mesh::face(feet_[foot].corner))) region_.add_corner(feet_[foot].corner);
-      remove_foot(foot);
+/// Finds the wall of a foot bridge that crosses many edges. Often the bridges of neighbours end on the same wall.
+HalfEdge Bridges::find_far_wall(const mesh::TriangleMesh& mesh, BridgeFinder& finder, HalfEdge corner) const {
+  HalfEdge last = mesh::kNoHalfEdge;
+  for (const HalfEdge edge : {corner, mesh::next(corner), mesh::previous(corner)}) {
+    const HalfEdge twin = mesh.twin(edge);
+    for (const HalfEdge near : {edge, twin, mesh::next(twin), mesh::previous(twin)}) {
+      const std::uint32_t foot = foot_at(near);
+      if (foot == kNone || std::exchange(last, wall_of(foot)) == wall_of(foot)) continue;
+      if (finder.is_far_wall(corner, last)) return last;
     }
-    write_corner(h, 0);
   }
+  return finder.find_far_wall(corner);
 }
 
-void Bridges::find_at_corner(BridgeFinder& finder, HalfEdge corner) {
-  const HalfEdge wall = finder.find_wall(corner);
+void Bridges::find_at_corner(const Triangulation& triangulation, BridgeFinder& finder, HalfEdge corner) {
+  HalfEdge wall = finder.find_wall(corner);
+  if (wall == BridgeFinder::kTooFar) wall = find_far_wall(triangulation.topology(), finder, corner);
   const std::uint32_t old = foot_at(corner);
   if (old != kNone) {
-    if (feet_[old].wall == wall) return;
+    if (wall_of(old) == wall) return;
     remove_foot(old);
+    write_corner(corner, corners_[number(corner)] & kIsBridge);
   }
-  if (wall != mesh::kNoHalfEdge) add_foot(corner, wall);
+  if (wall != mesh::kNoHalfEdge) add_foot(triangulation, corner, wall);
 }
 
 void Bridges::find_at_edge(const Triangulation& triangulation, BridgeFinder& finder, HalfEdge h) {
@@ -228,86 +447,39 @@ void Bridges::write_corner(HalfEdge h, std::uint32_t value) {
   if (corners_[number(h)] != value) corners_.write(number(h), value);
 }
 
-/// Makes a foot bridge. link_new_feet() inserts it into the list of its wall.
-void Bridges::add_foot(HalfEdge corner, HalfEdge wall) {
-  const Foot added{corner, wall, kNone};
-  auto foot = static_cast<std::uint32_t>(feet_.size());
-  if (free_feet_.is_empty()) {
-    feet_.append(added);
-  } else {
-    foot = free_feet_.first();
-    const std::uint32_t next_free = feet_[foot].next;
-    feet_.write(foot, added);
-    free_feet_.pop(next_free);
-  }
-  write_corner(corner, (foot + 1) << 1 | (corners_[number(corner)] & kIsBridge));
-  new_feet_.push_back(foot);
-}
-
-/// Returns whether a foot comes before another foot on the same wall.
-bool Bridges::comes_before(const Triangulation& triangulation, const Foot& foot, const Foot& other) const {
+/// Makes a foot bridge.
+void Bridges::add_foot(const Triangulation& triangulation, HalfEdge corner, HalfEdge wall) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
-  const auto start_of = [&](const Foot& of) {
-    return geometry.rounded(number(triangulation.topology().origin(of.corner)));
-  };
-  const WallLine line = wall_line(triangulation, foot.wall);
-  return exact::dot(start_of(foot), start_of(other), line.from, line.to) == exact::Sign::positive;
-}
-
-/// Inserts the new feet into the lists of their walls. These lists are in the order of the feet. The function sorts the
-/// new feet first, so it goes through each list only once.
-void Bridges::link_new_feet(const Triangulation& triangulation) {
-  std::sort(new_feet_.begin(), new_feet_.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const Foot& p = feet_[a];
-    const Foot& q = feet_[b];
-    return p.wall != q.wall ? p.wall < q.wall : comes_before(triangulation, p, q);
-  });
-  HalfEdge wall = mesh::kNoHalfEdge;
-  std::uint32_t before = kNone;
-  std::uint32_t at = kNone;
-  for (const std::uint32_t foot : new_feet_) {
-    const Foot added = feet_[foot];
-    if (added.wall != wall) {
-      wall = added.wall;
-      before = kNone;
-      at = first_foot_on(wall);
-    }
-    while (at != kNone && comes_before(triangulation, feet_[at], added)) before = std::exchange(at, feet_[at].next);
-    if (at != kNone) feet_.write(foot, {added.corner, wall, at});
-    link(wall, before, foot);
-    before = foot;
+  const std::uint32_t foot = feet_.add(corner, mesh.origin(corner));
+  write_corner(corner, (foot + 1) << 1 | (corners_[number(corner)] & kIsBridge));
+  if (walls_[number(wall)] == 0) {
+    const WallLine line = wall_line(triangulation, wall);
+    const std::uint32_t row = feet_.add_row({wall, mesh.origin(wall), mesh.target(wall), foot, line.from, line.to});
+    walls_.write(number(wall), row + 1);
+    return;
   }
-  new_feet_.clear();
+  const std::uint32_t row = walls_[number(wall)] - 1;
+  const Feet::Row line = feet_.row(row);
+  const auto start_of = [&](std::uint32_t of) { return geometry.rounded(number(feet_.foot(of).from)); };
+  feet_.insert(row, foot, [&](std::uint32_t other) {
+    return exact::dot(start_of(other), start_of(foot), line.line_from, line.line_to) == exact::Sign::positive;
+  });
 }
 
-/// Removes a foot bridge. Requires: link_new_feet() has inserted it into the list of its wall.
+/// Takes a foot out of its row, but not out of its corner. If the wall of the row is not known yet, because the
+/// operation has touched its face, no wall has the row.
 void Bridges::remove_foot(std::uint32_t foot) {
-  const Foot removed = feet_[foot];
-  std::uint32_t before = kNone;
-  for (std::uint32_t at = first_foot_on(removed.wall); at != foot; at = feet_[at].next) before = at;
-  link(removed.wall, before, removed.next);
-  write_corner(removed.corner, corners_[number(removed.corner)] & kIsBridge);
-  free_foot(foot);
-}
-
-// Calls write() before push(): write() can throw std::bad_alloc, push() cannot.
-void Bridges::free_foot(std::uint32_t foot) {
-  feet_.write(foot, {mesh::kNoHalfEdge, mesh::kNoHalfEdge, free_feet_.first()});
-  (void)free_feet_.push(foot);
-}
-
-/// Makes `foot` the successor of `before` in the list of the wall, or the first if `before` is kNone.
-void Bridges::link(HalfEdge wall, std::uint32_t before, std::uint32_t foot) {
-  if (before == kNone) return walls_.write(number(wall), (foot + 1) & kNone);
-  const Foot& at = feet_[before];
-  feet_.write(before, {at.corner, at.wall, foot});
+  const HalfEdge wall = feet_.row(feet_.row_of(foot)).wall;
+  const std::uint32_t empty = feet_.remove(foot);
+  if (empty != kNone && walls_[number(wall)] == empty + 1) walls_.write(number(wall), 0);
 }
 
 std::optional<std::string> Bridges::find_fault(const Triangulation& triangulation) const {
   const Bridges rebuilt(triangulation);
   const auto wall_at = [](const Bridges& bridges, HalfEdge h) {
     const std::uint32_t foot = bridges.foot_at(h);
-    return foot == kNone ? mesh::kNoHalfEdge : bridges.foot(foot).wall;
+    return foot == kNone ? mesh::kNoHalfEdge : bridges.wall_of(foot);
   };
   const auto fault_at = [](const char* what, std::uint32_t h) {
     return std::string(what) + " at half-edge " + std::to_string(h) + " differs from a rebuild";
@@ -320,21 +492,26 @@ std::optional<std::string> Bridges::find_fault(const Triangulation& triangulatio
     if (wall_at(*this, h) != wall_at(rebuilt, h)) return fault_at("the foot bridge", i);
     std::uint32_t p = first_foot_on(h);
     std::uint32_t q = rebuilt.first_foot_on(h);
-    for (; p != kNone && q != kNone; p = foot(p).next, q = rebuilt.foot(q).next) {
-      if (foot(p).corner != rebuilt.foot(q).corner) return fault_at("the order of the feet", i);
+    for (; p != kNone && q != kNone; p = next_foot(p), q = rebuilt.next_foot(q)) {
+      if (corner_of(p) != rebuilt.corner_of(q)) return fault_at("the order of the feet", i);
     }
     if (p != q) return fault_at("the number of feet", i);
+    const bool has_row = number(h) < walls_.size() && walls_[i] != 0;
+    if (has_row && feet_.row(walls_[i] - 1).wall != h) return fault_at("the row", i);
   }
-  return std::nullopt;
+  if (!feet_.is_valid()) return "the trees of the feet are wrong";
+  return tree_.find_fault(triangulation);
 }
 
 void Bridges::count_memory(MemoryUse& use) const {
   corners_.count_memory(use, &MemoryUse::bridges);
   walls_.count_memory(use, &MemoryUse::bridges);
-  feet_.count_memory(use, &MemoryUse::bridges);
+  feet_.count_memory(use);
+  tree_.count_memory(use);
   region_.count_memory(use);
-  memory::count_spare(use, new_feet_, scratch_.to_enter, scratch_.to_test);
-  use.spare += acute_.size() + scratch_.visited.size() * sizeof(std::uint32_t);
+  memory::count_spare(use, made_, loose_feet_, loose_rows_, lost_rows_, new_walls_, kept_feet_);
+  use.spare += acute_.size() + is_made_.capacity() / 8;
+  scratch_.count_memory(use);
 }
 
 void Bridges::shrink_to_fit() {
@@ -342,8 +519,9 @@ void Bridges::shrink_to_fit() {
   corners_.shrink_to_fit();
   walls_.shrink_to_fit();
   feet_.shrink_to_fit();
+  tree_.shrink_to_fit();
   region_.release();
-  memory::release(new_feet_);
+  memory::release(made_, is_made_, loose_feet_, loose_rows_, lost_rows_, new_walls_, kept_feet_);
   acute_ = {};
   scratch_ = {};
 }

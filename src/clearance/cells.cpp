@@ -14,15 +14,15 @@ CellEdge Cells::next(const CellEdge& edge) const {
     case Kind::bridge:
       return next_at_corner(mesh::next(edge.h));
     case Kind::foot_down:
-      return {Kind::wall, bridges_.foot(edge.foot).wall, edge.foot};
+      return {Kind::wall, bridges_.wall_of(edge.foot), edge.foot};
     case Kind::foot_up:
       return first_clockwise(edge.h);
     case Kind::wall:
       break;
   }
   const std::uint32_t foot =
-      edge.foot == Bridges::kNone ? bridges_.first_foot_on(edge.h) : bridges_.foot(edge.foot).next;
-  if (foot != Bridges::kNone) return {Kind::foot_up, bridges_.foot(foot).corner, foot};
+      edge.foot == Bridges::kNone ? bridges_.first_foot_on(edge.h) : bridges_.next_foot(edge.foot);
+  if (foot != Bridges::kNone) return {Kind::foot_up, bridges_.corner_of(foot), foot};
   return next_at_corner(mesh::next(edge.h));
 }
 
@@ -58,7 +58,7 @@ exact::Gap Cells::gap(const CellEdge& gate) const {
   const auto position_of = [&](Vertex v) { return geometry.rounded(number(v)); };
   const Point& from = position_of(mesh_.origin(gate.h));
   if (gate.kind == Kind::bridge) return {from, position_of(mesh_.target(gate.h)), position_of(mesh_.target(gate.h))};
-  const constraint::Side& side = triangulation_.any_side(bridges_.foot(gate.foot).wall);
+  const constraint::Side& side = triangulation_.any_side(bridges_.wall_of(gate.foot));
   return {from, position_of(side.from), position_of(side.to)};
 }
 
@@ -72,7 +72,7 @@ exact::Gap Cells::canonical_gap(const CellEdge& gate) const {
   }
   const exact::Geometry& geometry = triangulation_.triangulation().geometry();
   bool is_first = true;
-  triangulation_.for_each_side(bridges_.foot(gate.foot).wall, [&](const constraint::Side& side) {
+  triangulation_.for_each_side(bridges_.wall_of(gate.foot), [&](const constraint::Side& side) {
     Point a = geometry.rounded(number(side.from));
     Point b = geometry.rounded(number(side.to));
     if (comes_before(b, a)) std::swap(a, b);

@@ -100,15 +100,28 @@ void ChangedRegion::search_beyond(const Search& search, HalfEdge border) {
 }
 
 /// Notes the corners and edges around an end of `h`: from the face of `h` on, counter-clockwise around its origin or
-/// clockwise around its target, while the discs of the edges meet the border and touch changed walls.
+/// clockwise around its target, while the discs of the edges meet the border and touch changed walls. After
+/// SearchLimits::spokes edges, visit_hub() finds the bridges of the vertex.
 void ChangedRegion::follow_fan(const Search& search, HalfEdge h, HalfEdge border, bool is_counter_clockwise) {
-  for (;;) {
+  const mesh::Vertex hub = is_counter_clockwise ? mesh_->origin(h) : mesh_->target(h);
+  if (search.finder.starts_no_bridge(hub)) return;
+  const std::uint32_t most_spokes = search.finder.limit(&SearchLimits::spokes);
+  for (std::uint32_t spokes = 0;; ++spokes) {
+    if (spokes == most_spokes && !search.changed.are_all()) return visit_hub(search, hub);
     add_corner(is_counter_clockwise ? h : mesh::next(h));
     const HalfEdge exit = is_counter_clockwise ? mesh::previous(h) : mesh::next(h);
     if (mesh_->is_fixed(exit) || is_border(exit) || !search.may_be_near(exit, border)) return;
     add_edge(exit);
     h = mesh_->twin(exit);
   }
+}
+
+/// Notes the corners and edges at a vertex with many edges.
+void ChangedRegion::visit_hub(const Search& search, mesh::Vertex w) {
+  if (std::find(hubs_.begin(), hubs_.end(), w) != hubs_.end()) return;
+  hubs_.push_back(w);
+  search.finder.find_far_bridges(
+      w, search.changed, [&](HalfEdge h) { add_edge(h); }, [&](HalfEdge corner) { add_corner(corner); });
 }
 
 void ChangedRegion::add_corner(HalfEdge corner) {
@@ -134,13 +147,14 @@ void ChangedRegion::clear() {
   border_.clear();
   corners_.clear();
   edges_.clear();
+  hubs_.clear();
 }
 
 void ChangedRegion::count_memory(MemoryUse& use) const {
   use.bridges += (is_corner_.capacity() + is_edge_.capacity()) / 8;
-  memory::count_spare(use, border_, corners_, edges_);
+  memory::count_spare(use, border_, corners_, edges_, hubs_);
 }
 
-void ChangedRegion::release() { memory::release(border_, corners_, edges_, is_corner_, is_edge_); }
+void ChangedRegion::release() { memory::release(border_, corners_, edges_, hubs_, is_corner_, is_edge_); }
 
 }  // namespace waywright::clearance

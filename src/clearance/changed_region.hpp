@@ -63,6 +63,7 @@ class ChangedRegion {
   void search_beyond(const Search& search, mesh::HalfEdge border);
   void follow_fan(const Search& search, mesh::HalfEdge h, mesh::HalfEdge border, bool is_counter_clockwise);
   [[nodiscard]] bool is_border(mesh::HalfEdge h) const { return touched_->contains(mesh::face(mesh_->twin(h))); }
+  void visit_hub(const Search& search, mesh::Vertex w);
   void add_corners(std::initializer_list<mesh::HalfEdge> corners);
   void add_edge(mesh::HalfEdge h);
 
@@ -71,8 +72,9 @@ class ChangedRegion {
   std::vector<mesh::HalfEdge> border_;           ///< see add_border()
   std::vector<mesh::HalfEdge> corners_;
   std::vector<mesh::HalfEdge> edges_;
-  std::vector<bool> is_corner_;  ///< by half-edge: whether `corners_` contains it
-  std::vector<bool> is_edge_;    ///< by half-edge: whether `edges_` contains it
+  std::vector<mesh::Vertex> hubs_;  ///< the vertices that visit_hub() has visited
+  std::vector<bool> is_corner_;     ///< by half-edge: whether `corners_` contains it
+  std::vector<bool> is_edge_;       ///< by half-edge: whether `edges_` contains it
 };
 
 }  // namespace waywright::clearance

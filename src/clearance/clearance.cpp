@@ -68,9 +68,9 @@ bool has_any_loose_ring(const Triangulation& world) {
 
 }  // namespace
 
-Clearance::Clearance(const Triangulation& world) {
+Clearance::Clearance(const Triangulation& world, const SearchLimits& limits) {
   if (has_any_loose_ring(world)) walls_ = walls_of(world);
-  bridges_ = std::make_unique<Bridges>(triangulation_of_walls(world));
+  bridges_ = std::make_unique<Bridges>(triangulation_of_walls(world), limits);
 }
 
 void Clearance::begin() {
@@ -119,7 +119,7 @@ bool Clearance::is_any_changed_loose(const Triangulation& world) const {
 
 void Clearance::make_walls(const Triangulation& world) {
   std::unique_ptr<Triangulation> walls = walls_of(world);
-  old_bridges_ = std::exchange(bridges_, std::make_unique<Bridges>(*walls));
+  old_bridges_ = std::exchange(bridges_, std::make_unique<Bridges>(*walls, bridges_->limits()));
   walls_ = std::move(walls);
 }
 
@@ -202,7 +202,7 @@ void Clearance::shrink_to_fit(const Triangulation& world) {
   touched_walls_.release();
   shape_ = {};
   if (walls_ && !has_any_loose_ring(world)) {
-    bridges_ = std::make_unique<Bridges>(world);
+    bridges_ = std::make_unique<Bridges>(world, bridges_->limits());
     walls_.reset();
   }
   if (walls_) walls_->shrink_to_fit();

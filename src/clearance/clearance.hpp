@@ -29,7 +29,7 @@ class Clearance {
 
   /// Finds the bridges of a world. The object does not keep a reference to the triangulation, which the program may
   /// move. So pass the triangulation of the world to every function with a parameter `world`.
-  explicit Clearance(const Triangulation& world);
+  explicit Clearance(const Triangulation& world, const SearchLimits& limits = {});
   /// Copies the bridges, and the second triangulation if there is one. Requires: no operation is under way.
   Clearance(const Clearance& other)
       : walls_(other.walls_ ? std::make_unique<Triangulation>(*other.walls_) : nullptr),

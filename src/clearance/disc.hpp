@@ -22,6 +22,8 @@ struct Disc {
   double radius = 0.0;
   /// Each coordinate of `centre` is wrong by at most this number plus 2^-50 of the magnitudes of the coordinates.
   double error = 0.0;
+  double excess =
+      0.0;  ///< if `origin` lies inside the disc: at least the square of the radius; 0 if it lies on the circle
 
   /// Returns the disc whose diameter is the segment from `from` to the foot of the perpendicular on the line through
   /// `a` and `b`, or to `a` if the two are equal.
@@ -52,7 +54,7 @@ struct Disc {
     const double area = one - other;
     const double extent = std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y);
     const double uncertain = kUnit * (std::abs(one) + std::abs(other)) + 4.0 * rounding * extent;
-    if (!(std::abs(area) > 0x1p20 * uncertain)) return {a, {0.0, 0.0}, HUGE_VAL, HUGE_VAL};
+    if (!(std::abs(area) > 0x1p20 * uncertain)) return {a, {0.0, 0.0}, HUGE_VAL, HUGE_VAL, HUGE_VAL};
     const double p_lift = p.x * p.x + p.y * p.y;
     const double q_lift = q.x * q.x + q.y * q.y;
     const double scale = 0.5 / area;
@@ -80,18 +82,37 @@ struct Disc {
     const Point nearest = dot <= 0.0 ? from : from + along;
     return !(nearest.x * nearest.x + nearest.y * nearest.y > limit * limit);
   }
-  /// Returns false only if no point of the box lies in the closed exact disc.
+  /// Returns false only if no point of the box lies in the closed exact disc. Each coordinate of the box may be wrong
+  /// by `rounding`, and so may `origin`.
+  ///
+  /// Let z be a position and c the centre, relative to `origin`. Because `origin` lies on the circle, z lies in the
+  /// disc if z^2 - 2 c . z <= 0. A long flat triangle has a circle that is much larger than the distances that matter.
+  /// Then this sum is far more exact than a comparison with the radius: an error e of the centre changes it by 2 e . z
+  /// only.
   [[nodiscard]] bool may_touch(const Box& box, double rounding) const {
-    const Point from_min{box.min.x - origin.x - centre.x, box.min.y - origin.y - centre.y};
-    const Point to_max{box.max.x - origin.x - centre.x, box.max.y - origin.y - centre.y};
-    const Point nearest{std::max({from_min.x, -to_max.x, 0.0}), std::max({from_min.y, -to_max.y, 0.0})};
-    const double extent = nearest.x + nearest.y;
-    const double limit = (radius + (kUnit * extent + 4.0 * rounding)) * (1.0 + kUnit);
-    return !(nearest.x * nearest.x + nearest.y * nearest.y > limit * limit);
+    const Point min{box.min.x - origin.x, box.min.y - origin.y};
+    const Point max{box.max.x - origin.x, box.max.y - origin.y};
+    const Point nearest{std::clamp(centre.x, min.x, max.x), std::clamp(centre.y, min.y, max.y)};
+    const double power = nearest.x * (nearest.x - 2.0 * centre.x) + nearest.y * (nearest.y - 2.0 * centre.y);
+    const double extent = std::max(-min.x, max.x) + std::max(-min.y, max.y);
+    const double of_centre = std::abs(centre.x) + std::abs(centre.y);
+    const double slack = 2.0 * extent * (error + 2.0 * rounding + kUnit * (of_centre + extent)) +
+                         8.0 * rounding * (of_centre + error + rounding);
+    return !(power > excess + slack);
+  }
+  /// A box that contains the exact disc, also if each coordinate of `origin` is wrong by `rounding`.
+  [[nodiscard]] Box bounds(double rounding) const {
+    const Point middle{origin.x + centre.x, origin.y + centre.y};
+    const double extent = radius + error + 4.0 * rounding +
+                          kUnit * (std::abs(origin.x) + std::abs(origin.y) + std::abs(centre.x) + std::abs(centre.y));
+    return {{middle.x - extent, middle.y - extent}, {middle.x + extent, middle.y + extent}};
   }
   /// The disc with the same centre and a radius that is `factor` times as large, or a little larger. Requires: `factor`
   /// is at least 1.
-  [[nodiscard]] Disc scaled(double factor) const { return {origin, centre, radius * factor * (1.0 + kUnit), error}; }
+  [[nodiscard]] Disc scaled(double factor) const {
+    const double larger = radius * factor * (1.0 + kUnit);
+    return {origin, centre, larger, error, larger * larger};
+  }
   /// Returns false only if the segment from `origin` to `p` contains no position strictly inside the exact disc: then
   /// the angle between the segment and the radius to `origin` is at least 90 degrees. Requires: the exact circle
   /// contains the exact position of `origin`. Each coordinate of the two points may be wrong by `rounding`.
@@ -131,7 +152,7 @@ struct Disc {
   /// `error` bounds the error of each coordinate of the centre. The circle contains the origin.
   [[nodiscard]] static Disc around(const Point& origin, const Point& centre, double error) {
     const double radius = std::sqrt(centre.x * centre.x + centre.y * centre.y) * (1.0 + kUnit) + 4.0 * error;
-    return {origin, centre, radius, error};
+    return {origin, centre, radius, error, 0.0};
   }
 };
 

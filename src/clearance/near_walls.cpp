@@ -179,12 +179,10 @@ CellEdge NearWalls::cell_at_wall(const Triangulation& triangulation, const Bridg
                                  HalfEdge wall) {
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
   const WallLine line = wall_line(triangulation, wall);
-  std::uint32_t last = Bridges::kNone;
-  for (std::uint32_t foot = bridges.first_foot_on(wall); foot != Bridges::kNone; foot = bridges.foot(foot).next) {
-    const Vertex v = triangulation.topology().origin(bridges.foot(foot).corner);
-    if (exact::dot(geometry.rounded(number(v)), point, line.from, line.to) == Sign::negative) break;
-    last = foot;
-  }
+  const std::uint32_t last = bridges.last_foot_before(wall, [&](std::uint32_t foot) {
+    const Vertex v = triangulation.topology().origin(bridges.corner_of(foot));
+    return exact::dot(geometry.rounded(number(v)), point, line.from, line.to) != Sign::negative;
+  });
   return {CellEdge::Kind::wall, wall, last};
 }
 
@@ -203,7 +201,7 @@ CellEdge NearWalls::cell_at_vertex(const Triangulation& triangulation, const Bri
   HalfEdge corner = mesh.outgoing(v);
   while (!leads_to_point(corner)) corner = mesh.next_around(corner);
   if (const std::uint32_t foot = bridges.foot_at(corner); foot != Bridges::kNone) {
-    const WallLine line = wall_line(triangulation, bridges.foot(foot).wall);
+    const WallLine line = wall_line(triangulation, bridges.wall_of(foot));
     const bool is_clockwise_of_bridge =
         exact::dot(geometry.rounded(number(v)), point, line.from, line.to) == Sign::negative;
     if (!is_clockwise_of_bridge) return {CellEdge::Kind::foot_down, corner, foot};

@@ -32,7 +32,7 @@ void WidestGapFinder::find(const constraint::ExactTriangulation& triangulation, 
   if (gate.kind == CellEdge::Kind::bridge) {
     for_each_item_at(triangulation, to, add_to);
   } else {
-    for_each_item_on(triangulation, bridges.foot(gate.foot).wall, add_to);
+    for_each_item_on(triangulation, bridges.wall_of(gate.foot), add_to);
   }
 }
 

@@ -120,7 +120,7 @@ class DiscMap {
  private:
   [[nodiscard]] exact::Gap foot_gap(mesh::HalfEdge corner, std::uint32_t foot) const {
     const exact::Geometry& geometry = triangulation.triangulation().geometry();
-    const constraint::Side& side = triangulation.any_side(bridges.foot(foot).wall);
+    const constraint::Side& side = triangulation.any_side(bridges.wall_of(foot));
     return {geometry.rounded(number(mesh().origin(corner))), geometry.rounded(number(side.from)),
             geometry.rounded(number(side.to))};
   }

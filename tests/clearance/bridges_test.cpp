@@ -39,7 +39,8 @@ clearance::ChangedWalls changed_by(const Shape& shape) {
 /// A mesh of walls with its bridges. Changes them in the same order as a world does.
 class Walls {
  public:
-  explicit Walls(const Box& domain) : mesh_(domain), bridges_(mesh_) {}
+  explicit Walls(const Box& domain, const clearance::SearchLimits& limits = {})
+      : mesh_(domain), bridges_(mesh_, limits) {}
 
   void insert(const Shape& shape, ItemId id) {
     constraint::ExactTriangulation::UndoGuard operation(mesh_);
@@ -53,6 +54,12 @@ class Walls {
     clearance::ChangedWalls any;
     any.add_all();
     update(any);
+    operation.commit();
+  }
+  void remove(const Shape& shape, ItemId id) {
+    constraint::ExactTriangulation::UndoGuard operation(mesh_);
+    mesh_.remove(id);
+    update(changed_by(shape));
     operation.commit();
   }
   [[nodiscard]] const Bridges& bridges() const { return bridges_; }
@@ -74,7 +81,7 @@ class Walls {
         result.insert(ordered(position(mesh_.topology().origin(h)), position(mesh_.topology().target(h))));
       }
       if (bridges_.foot_at(h) == Bridges::kNone) continue;
-      const constraint::Side& side = mesh_.any_side(bridges_.foot(bridges_.foot_at(h)).wall);
+      const constraint::Side& side = mesh_.any_side(bridges_.wall_of(bridges_.foot_at(h)));
       const Vector from = position(mesh_.topology().origin(h));
       result.insert({from, foot_on(from, {position(side.from), position(side.to)})});
     }
@@ -152,6 +159,78 @@ TEST_P(RandomScenes, KeepTheBridgesWithLooseCornersAndUndoneSteps) {
     ASSERT_EQ(report.fault, std::nullopt) << "seed " << seed;
     EXPECT_GT(report.changes, 100U);
     EXPECT_GT(report.undone, 0U);
+  }
+}
+
+/// A street: a row of houses and fences beside a long wall, and things that stand on this wall. The mesh has vertices
+/// with many edges, and the wall has many feet.
+class RandomStreet {
+ public:
+  RandomStreet(std::uint64_t seed, std::size_t size) : random_(seed), shapes_(size) {
+    is_slanted_ = random_.below(2) == 0;
+    unevenness_ = random_.below(3) == 0 ? 0.0 : random_.below(2) == 0 ? 0x1p-40 : 2.0;
+    for (std::size_t i = 0; i < size; ++i) shapes_[i] = make(i);
+  }
+
+  [[nodiscard]] Box domain() const { return {{-20, -100}, {8.0 * static_cast<double>(shapes_.size()) + 20, 300}}; }
+  [[nodiscard]] Shape long_wall() const { return Shape::segment(at(-15, 0), at(domain().max.x - 5, 0)); }
+  [[nodiscard]] const Shape& shape(std::size_t i) const { return shapes_[i]; }
+
+ private:
+  /// A position, given by its x and its height above the long wall.
+  [[nodiscard]] Point at(double x, double height) const { return {x, height + (is_slanted_ ? x * 0.25 : 0.0)}; }
+  [[nodiscard]] Shape make(std::size_t i) {
+    const double x = 8.0 * static_cast<double>(i);
+    const double height = 30 + unevenness_ * static_cast<double>(random_.below(16));
+    switch (random_.below(8)) {
+      case 0:
+        return Shape::segment(at(x, height), at(x, height + 5));
+      case 1:
+        return Shape::polygon({at(x, 0), at(x + 4, 0), at(x + 4, 3), at(x, 3)});  // on the wall
+      case 2:
+        return Shape::segment(at(x + 2, -3), at(x + 2, 0));  // behind the wall, up to it
+      default:
+        return Shape::polygon({at(x, height), at(x + 6, height), at(x + 6, height + 4), at(x, height + 4)});
+    }
+  }
+
+  Random random_;
+  std::vector<Shape> shapes_;
+  bool is_slanted_ = false;
+  double unevenness_ = 0.0;
+};
+
+TEST(RandomStreets, KeepTheBridgesOfARebuildAfterEveryChange) {
+  for (std::uint64_t seed = 0; seed < (case_count() + 3) / 4; ++seed) {
+    const std::size_t size = 20 + 10 * (seed % 6);
+    const RandomStreet street(seed, size);
+    Walls walls(street.domain(), seed % 3 == 0 ? clearance::SearchLimits{1, 0, 1} : clearance::SearchLimits{});
+    walls.insert(street.long_wall(), ItemId{1000});
+    Random random(seed);
+    std::vector<bool> is_live(size);
+    for (std::size_t step = 0; step < 4 * size; ++step) {
+      const std::size_t i = random.below(size);
+      if (is_live[i]) {
+        walls.remove(street.shape(i), ItemId{i + 1});
+      } else {
+        walls.insert(street.shape(i), ItemId{i + 1});
+      }
+      is_live[i] = !is_live[i];
+      ASSERT_EQ(walls.bridges().find_fault(walls.mesh()), std::nullopt) << "seed " << seed << ", step " << step;
+    }
+    if (seed % 8 != 0) continue;
+    ASSERT_TRUE(walls.found() == expected_bridges(walls.walls())) << "seed " << seed;
+  }
+}
+
+TEST_P(RandomScenes, HaveTheSameBridgesWithTheTree) {
+  for (std::uint64_t seed = 0; seed < (case_count() + 3) / 4; ++seed) {
+    const Scene scene = random_scene(GetParam(), seed, 4 + seed % 60);
+    Walls walls(scene.domain, {1, 0, 1});
+    for (const Item& item : scene.items) {
+      if (has_walls(item.shape)) walls.insert(item.shape, item.id);
+    }
+    ASSERT_EQ(walls.bridges().find_fault(walls.mesh()), std::nullopt) << "seed " << seed;
   }
 }
 

@@ -15,7 +15,7 @@ using Fault = std::optional<std::string>;
 /// A triangulation with bridges, which changes both in the same order as a world does.
 class WithBridges {
  public:
-  explicit WithBridges(const Box& domain) : mesh_(domain), clearance_(mesh_) {}
+  WithBridges(const Box& domain, const clearance::SearchLimits& limits) : mesh_(domain), clearance_(mesh_, limits) {}
 
   enum class End : std::uint8_t { commit, roll_back };
 
@@ -54,7 +54,9 @@ class WithBridges {
 Fault find_first_fault(const ChangeScript& script, std::uint64_t seed, BridgesReport& report) {
   Random random(seed ^ 0x6272696467657321U);
   LiveItems live(script.domain);
-  WithBridges world(script.domain);
+  // With small limits, nearly all searches use the tree of walls.
+  const bool uses_tree = random.below(2) == 0;
+  WithBridges world(script.domain, uses_tree ? clearance::SearchLimits{1, 0, 1} : clearance::SearchLimits{});
   for (std::size_t i = 0; i < script.steps.size(); ++i) {
     const Step& step = script.steps[i];
     const Result<std::vector<ItemId>> ids = live.apply(step);
