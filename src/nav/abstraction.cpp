@@ -58,8 +58,8 @@ void Abstraction::update(const Triangulation& triangulation, const mesh::Touched
     components_.update_in_open_space(mesh, changed, new_faces_);
     core_.update_in_open_space(mesh, changed, new_faces_);
   } else {
+    core_.update(mesh, changed, new_faces_, [&](Face f) { return components_.component_of(f); });  // the old ones
     components_.update(triangulation, {changed, new_faces_, removed_, inserted_, triangulation.may_have_divided()});
-    core_.update(mesh, changed, new_faces_);
   }
   is_updated_ = true;
   guard.keep();

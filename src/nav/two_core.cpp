@@ -41,20 +41,24 @@ TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
 // Often only one old tree face is adjacent to the new faces, and the core is far away. Then the climb to the core is
 // long and mostly useless, because the new faces only replace other faces that hung on the tree face. So update() first
 // peels the new faces as if the tree face were in the core. It climbs only if a cycle is left. There are two
-// exceptions: a second tree face or a face of the core is adjacent to the new faces, or a root or a face of the core
-// was removed. Then a cycle may lead up from the tree face and come back to the new faces elsewhere, so update() climbs
-// first.
-void TwoCore::update(const mesh::TriangleMesh& mesh, std::span<const Face> changed, std::span<const Face> new_faces) {
+// exceptions: a second tree face or a face of the core is adjacent to the new faces, or the old component of the tree
+// face has lost its root or a face of the core. Then a cycle may lead up from the tree face and come back to the new
+// faces elsewhere, so update() climbs first. (Otherwise the way up from the tree face ends at a root or a face of the
+// core that still exists. If it led through a removed face, it would leave the removed faces at a second tree face or
+// at a face of the core.)
+TwoCore::Surroundings TwoCore::join_all(const mesh::TriangleMesh& mesh, std::span<const Face> changed,
+                                        std::span<const Face> new_faces) {
   states_.grow_to(mesh.face_slots(), kAbsent);
   Surroundings around;
-  for (const Face f : changed) {
-    around.had_top = around.had_top || is_core(f) || states_[number(f)] == kRoot;
-    write(f, kAbsent);
-  }
+  for (const Face f : changed) write(f, kAbsent);
   for (const Face f : new_faces) write(f, kCore | kNew);
   for (const Face f : new_faces) join(mesh, f, around);
+  return around;
+}
+
+void TwoCore::finish_update(const mesh::TriangleMesh& mesh, std::span<const Face> new_faces,
+                            const Surroundings& around, bool hangs_on_one) {
   to_peel_.assign(new_faces.begin(), new_faces.end());
-  const bool hangs_on_one = around.trees == 1 && !around.has_core && !around.had_top;
   if (hangs_on_one) peel(mesh);
   if (around.trees > 0) climb_trees(mesh, new_faces);
   peel(mesh);
@@ -93,6 +97,7 @@ void TwoCore::join(const mesh::TriangleMesh& mesh, Face f, Surroundings& around)
     add_passage(h);
     if (!is_core(other)) {
       ++around.trees;
+      around.tree = other;
     } else if ((states_[number(other)] & kNew) == 0 && !is_core_passage(back)) {
       add_passage(back);
       around.has_core = true;

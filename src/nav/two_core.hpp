@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <optional>
@@ -78,10 +79,24 @@ class TwoCore {
   }
 
   /// Updates the core to the mesh. `changed` lists the faces that have changed since the last update.
-  /// `new_faces` lists those faces of `changed` that are in the graph now. Each list contains a face once. If memory
+  /// `new_faces` lists those faces of `changed` that are in the graph now. Each list contains a face once.
+  /// component_of(f) returns the connected component of the graph before the change that contained the face. If memory
   /// runs out, roll_back() restores the old core.
+  template <class ComponentOf>
   void update(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> changed,
-              std::span<const mesh::Face> new_faces);
+              std::span<const mesh::Face> new_faces, ComponentOf&& component_of) {
+    topless_.clear();
+    for (const mesh::Face f : changed) {
+      if (is_absent(f) || !(is_core(f) || states_[number(f)] == kRoot)) continue;
+      const std::uint32_t component = component_of(f);
+      if (topless_.empty() || topless_.back() != component) topless_.push_back(component);
+    }
+    const auto is_topless = [&](mesh::Face f) {
+      return std::find(topless_.begin(), topless_.end(), component_of(f)) != topless_.end();
+    };
+    const Surroundings around = join_all(mesh, changed, new_faces);
+    finish_update(mesh, new_faces, around, around.trees == 1 && !around.has_core && !is_topless(around.tree));
+  }
 
   /// Returns whether the face was not in the graph after the last update.
   [[nodiscard]] bool is_absent(mesh::Face f) const {
@@ -110,12 +125,12 @@ class TwoCore {
 
   void count_memory(MemoryUse& use) const {
     states_.count_memory(use, &MemoryUse::abstraction);
-    memory::count_spare(use, to_peel_);
+    memory::count_spare(use, to_peel_, topless_);
   }
   /// Frees spare memory. Requires: nothing has changed since begin().
   void shrink_to_fit() {
     states_.shrink_to_fit();
-    memory::release(to_peel_);
+    memory::release(to_peel_, topless_);
   }
 
  private:
@@ -135,12 +150,16 @@ class TwoCore {
   [[nodiscard]] std::vector<mesh::Face> tops(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> faces) const;
   void write(mesh::Face f, State state);
   void add_passage(mesh::HalfEdge h);
-  /// Facts about the old faces that are adjacent to the new faces, and about the removed faces.
+  /// Facts about the old faces that are adjacent to the new faces.
   struct Surroundings {
     std::size_t trees = 0;  ///< the number of passages from new faces to tree faces that do not hang on them
+    mesh::Face tree{0};     ///< the tree face at the last of these passages
     bool has_core = false;  ///< whether a face of the old core has got a passage to a new face
-    bool had_top = false;   ///< whether a removed face was a root or a face of the core
   };
+  [[nodiscard]] Surroundings join_all(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> changed,
+                                      std::span<const mesh::Face> new_faces);
+  void finish_update(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> new_faces, const Surroundings& around,
+                     bool hangs_on_one);
   void join(const mesh::TriangleMesh& mesh, mesh::Face f, Surroundings& around);
   void climb_trees(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> new_faces);
   void climb(const mesh::TriangleMesh& mesh, mesh::HalfEdge back);
@@ -150,7 +169,8 @@ class TwoCore {
   memory::JournaledArray<State> states_;  ///< by face
 
   // Scratch.
-  std::vector<mesh::Face> to_peel_;  ///< faces of the core that may have fewer than two passages
+  std::vector<mesh::Face> to_peel_;     ///< faces of the core that may have fewer than two passages
+  std::vector<std::uint32_t> topless_;  ///< the old components that have lost their root or a face of the core
 };
 
 }  // namespace waywright::nav
