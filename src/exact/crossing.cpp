@@ -91,9 +91,9 @@ RoundedNumber round_quotient(const WideInteger<kW + 1>& numerator, const WideInt
 
 /// Rounds both coordinates. Works with every type of integers that has round_quotient().
 template <class Number, class Denominator>
-RoundedCrossing round_both(const Number& x, const Number& y, const Denominator& w, int exponent) {
-  const RoundedNumber rounded_x = round_quotient(x, w, exponent);
-  const RoundedNumber rounded_y = round_quotient(y, w, exponent);
+RoundedCrossing round_both(const Number& x, const Number& y, const Denominator& w, int x_exponent, int y_exponent) {
+  const RoundedNumber rounded_x = round_quotient(x, w, x_exponent);
+  const RoundedNumber rounded_y = round_quotient(y, w, y_exponent);
   const Point nearest{rounded_x.nearest, rounded_y.nearest};
   return {nearest, rounded_x.is_exact && rounded_y.is_exact && is_in_range(nearest)};
 }
@@ -101,7 +101,7 @@ RoundedCrossing round_both(const Number& x, const Number& y, const Denominator& 
 template <std::size_t kW>
 RoundedCrossing round_on(const Offsets<4>& corners) {
   const LatticePoint<kW> point = lattice_crossing<kW>(corners[0], corners[1], corners[2], corners[3]);
-  return round_both(point.x, point.y, point.w, corners.unit_exponent());
+  return round_both(point.x, point.y, point.w, corners.x_exponent(), corners.y_exponent());
 }
 
 std::string to_fraction(Integer numerator, Integer denominator, int exponent) {
@@ -175,7 +175,7 @@ namespace lattice {
 std::optional<RoundedCrossing> round_to_nearest(const Crossing& crossing) {
   Offsets<4> corners({0.0, 0.0});
   for (const Point& end : {crossing.ab.a, crossing.ab.b, crossing.cd.a, crossing.cd.b}) corners.add(end);
-  if (!corners.find_lattice()) return std::nullopt;
+  if (!corners.find_any_lattice()) return std::nullopt;
   return corners.bits() <= kNarrowBits ? round_on<1>(corners) : round_on<2>(corners);
 }
 
@@ -187,13 +187,13 @@ RoundedCrossing round_to_nearest(const Crossing& crossing) {
   LatticeExponent lattice;
   lattice.include(crossing);
   const Homogeneous point = to_homogeneous(crossing, lattice.value());
-  return round_both(point.x, point.y, point.w, lattice.value());
+  return round_both(point.x, point.y, point.w, lattice.value(), lattice.value());
 }
 
 }  // namespace integers
 
 Point round_to_nearest(const Homogeneous& point, int lattice_exponent) {
-  return round_both(point.x, point.y, point.w, lattice_exponent).nearest;
+  return round_both(point.x, point.y, point.w, lattice_exponent, lattice_exponent).nearest;
 }
 
 RoundedCrossing detail::round_other_to_nearest(const Crossing& crossing) {

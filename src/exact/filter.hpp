@@ -23,24 +23,31 @@
 // For coordinates in range (kLargestCoordinate, kSmallestCoordinate) nothing overflows, and no non-zero product of up
 // to four differences is below 2^-608.
 //
-// Constructed positions. Their stored coordinates are rounded to nearest. A true coordinate differs from the stored one
-// by at most u m, where m is the largest magnitude of the stored coordinates. A true difference is then d^ (1 + e) + n
-// with |n| <= 2 u m. Let S be the sum of all |d^|, and L the largest of them. The terms n alone change the determinants
-// by at most
-//   orientation: 2 u m (1 + u) S + 2 (2 u m)^2, because each of its two products changes by at most
-//                |n1 d2| + |n2 d1| + |n1 n2|;
-//   in-circle:   96 u m (L (1 + u) + 2 u m)^3, because each of its 12 monomials of degree 4 changes by at most
-//                (L (1 + u) + 2 u m)^4 - (L (1 + u))^4 <= 4 (2 u m) (L (1 + u) + 2 u m)^3.
+// Constructed positions. Their stored coordinates are rounded to nearest. A true x coordinate differs from the stored
+// one by at most u m_x, where m_x is the largest magnitude of the stored x coordinates. A true difference of x
+// coordinates is then d^ (1 + e) + n with |n| <= 2 u m_x. The same holds for y, with m_y. The bounds treat x and y
+// apart, because the points may be much closer to each other on one axis than on the other. Let S_x be the sum of all
+// |d^| of the x coordinates, L_x the largest of them, R_x = L_x (1 + u) + 2 u m_x, and S_y, L_y and R_y the same for y.
+// The terms n alone change the determinants by at most
+//   orientation: 2 u m_x (1 + u) S_y + 2 u m_y (1 + u) S_x + 2 (2 u m_x) (2 u m_y), because each of its two products
+//                changes by at most |n1 d2| + |n2 d1| + |n1 n2|;
+//   in-circle:   12 u m_x R_y (3 R_x^2 + R_y^2) + 12 u m_y R_x (R_x^2 + 3 R_y^2). It has 12 monomials of degree 4. Six
+//                consist of three differences of x coordinates and one of y coordinates. Each of these six changes by
+//                at most R_x^3 R_y - (R_x - 2 u m_x)^3 (R_y - 2 u m_y) <= 3 (2 u m_x) R_x^2 R_y + (2 u m_y) R_x^3. In
+//                the other six, x and y are exchanged.
 // These errors are added to the bounds above. The magnitude of a coordinate is at most the magnitude of the last
-// point's coordinate on the same axis plus the magnitude of their difference. Hence m is at most the sum of the
-// magnitudes of the last point's coordinates and S (for orientation) or L (for in-circle). The constants in the code
-// are a few per cent larger, which covers the rounding errors of the bounds themselves. A crossing can lie much nearer
-// to 0 than any explicit coordinate, so products may underflow. Each underflow loses less than 2^-1022, and the code
-// trusts a sign only if the determinant exceeds 2^-1000.
+// point's coordinate on the same axis plus the magnitude of their difference. Hence m_x is at most the magnitude of the
+// last point's x coordinate plus S_x (for orientation) or L_x (for in-circle). The constants in the code are a few per
+// cent larger, which covers the rounding errors of the bounds themselves. A crossing can lie much nearer to 0 than any
+// explicit coordinate, so products may underflow. The underflow of a product loses less than 2^-1022, and the code
+// trusts a sign only if the determinant exceeds 2^-1000. In-circle multiplies this loss by at most (R_x + R_y)^2. If
+// R_x is the larger one and more than 2^9, then 36 u R_x^3 R_y exceeds the loss, because R_y is 0 or at least 2^-711
+// (rounded.hpp). If R_y is 0, the loss is multiplied by 0, or all factors of the product that underflows are 0.
 //
 // The bounds above are the fine bound. The coarse bound treats all points as constructed and uses squares instead of
-// magnitudes. Let s = t^2 be the sum of the squares of all d^, and let q = |p|^2 be the sum of the squares of the last
-// point's coordinates. Then m <= |p| + t, and |p| t <= 2^-11 q + 2^9 s, because (2^-5.5 |p| - 2^4.5 t)^2 >= 0.
+// magnitudes. Here m is the larger of m_x and m_y, and S is S_x + S_y. Let s = t^2 be the sum of the squares of all d^,
+// and let q = |p|^2 be the sum of the squares of the last point's coordinates. Then m <= |p| + t, and |p| t <= 2^-11 q
+// + 2^9 s, because (2^-5.5 |p| - 2^4.5 t)^2 >= 0.
 //   Orientation: |l| + |r| <= s / 2 and S <= 2 t, so the error is at most u times
 //     (3 / 2) s + 4 t (|p| + t) <= 2053.5 s + q / 512,
 //   plus 8 u^2 m^2, which is negligible beside these terms.
@@ -212,9 +219,11 @@ inline constexpr double kInCircleBound = (10.0 + 96.0 * kHalfUlp) * kHalfUlp;
   const double right = acy * bcx;
   double error = kOrientationBound * (std::abs(left) + std::abs(right));
   if (!a.is_explicit() || !b.is_explicit() || !c.is_explicit()) {
-    const double sum = std::abs(acx) + std::abs(acy) + std::abs(bcx) + std::abs(bcy);
-    const double rounding = kHalfUlp * (std::abs(c.x) + std::abs(c.y) + sum);  // u m
-    error += 2.1 * rounding * (sum + 5.0 * rounding) + kUnderflow;
+    const double sum_x = std::abs(acx) + std::abs(bcx);
+    const double sum_y = std::abs(acy) + std::abs(bcy);
+    const double rounding_x = kHalfUlp * (std::abs(c.x) + sum_x);  // u m_x
+    const double rounding_y = kHalfUlp * (std::abs(c.y) + sum_y);
+    error += 2.1 * (rounding_x * (sum_y + 5.0 * rounding_y) + rounding_y * sum_x) + kUnderflow;
   } else if (is_flat(a, b, c)) {
     return Sign::zero;
   }
@@ -229,12 +238,17 @@ inline constexpr double kInCircleBound = (10.0 + 96.0 * kHalfUlp) * kHalfUlp;
                            c_lift * (std::abs(adx * bdy) + std::abs(bdx * ady));
   double error = kInCircleBound * permanent;
   if (!a.is_explicit() || !b.is_explicit() || !c.is_explicit() || !d.is_explicit()) {
-    const double largest =
-        std::max(std::max(std::max(std::abs(adx), std::abs(ady)), std::max(std::abs(bdx), std::abs(bdy))),
-                 std::max(std::abs(cdx), std::abs(cdy)));
-    const double rounding = kHalfUlp * (std::abs(d.x) + std::abs(d.y) + largest);  // u m
-    const double reach = largest + 3.0 * rounding;
-    error += 100.0 * rounding * reach * reach * reach + kUnderflow;
+    const double largest_x = std::max(std::max(std::abs(adx), std::abs(bdx)), std::abs(cdx));
+    const double largest_y = std::max(std::max(std::abs(ady), std::abs(bdy)), std::abs(cdy));
+    const double rounding_x = kHalfUlp * (std::abs(d.x) + largest_x);  // u m_x
+    const double rounding_y = kHalfUlp * (std::abs(d.y) + largest_y);
+    const double reach_x = largest_x + 3.0 * rounding_x;  // R_x
+    const double reach_y = largest_y + 3.0 * rounding_y;
+    const double square_x = reach_x * reach_x;
+    const double square_y = reach_y * reach_y;
+    error += 12.5 * (rounding_x * reach_y * (3.0 * square_x + square_y) +
+                     rounding_y * reach_x * (square_x + 3.0 * square_y)) +
+             kUnderflow;
   }
   return sign_beyond(determinant, error);
 }

@@ -41,6 +41,7 @@ class CommonOffsets {
   }
 
   [[nodiscard]] bool find_lattice() { return offsets_.find_lattice(); }
+  [[nodiscard]] bool find_any_lattice() { return offsets_.find_any_lattice(); }
   [[nodiscard]] bool is_narrow() const { return offsets_.bits() <= kNarrowBits; }
 
   template <std::size_t kW>
@@ -137,7 +138,7 @@ std::optional<Sign> explicit_orientation(const ExactPosition& a, const ExactPosi
   Offsets<2> offsets({c.x, c.y});
   offsets.add({a.x, a.y});
   offsets.add({b.x, b.y});
-  if (!offsets.find_lattice()) return std::nullopt;
+  if (!offsets.find_any_lattice()) return std::nullopt;
   if (offsets.bits() <= kSmallBits) return sign_of(small_cross(offsets[0], offsets[1]));
   return cross(offsets[0], offsets[1]).sign();
 }
@@ -186,7 +187,7 @@ std::optional<Sign> orientation(const ExactPosition& a, const ExactPosition& b, 
   std::array points{&a, &b, &c};
   const bool is_swapped = put_explicit_last(points);
   CommonOffsets<3> offsets(points);
-  if (!offsets.find_lattice()) return std::nullopt;
+  if (!offsets.find_any_lattice()) return std::nullopt;
   const bool is_last_origin = points.back()->is_explicit();
   const Sign sign = offsets.is_narrow() ? orientation_of<1>(offsets.to_lattice<1>(), is_last_origin)
                                         : orientation_of<2>(offsets.to_lattice<2>(), is_last_origin);
@@ -230,7 +231,7 @@ std::optional<Sign> in_circle(const ExactPosition& a, const ExactPosition& b, co
 
 std::optional<std::strong_ordering> compare(const ExactPosition& p, const ExactPosition& q) {
   CommonOffsets<2> points({&p, &q});
-  if (!points.find_lattice()) return std::nullopt;
+  if (!points.find_any_lattice()) return std::nullopt;
   return points.is_narrow() ? compare_of<1>(points.to_lattice<1>()) : compare_of<2>(points.to_lattice<2>());
 }
 

@@ -18,7 +18,9 @@
 /// For constructed positions whose coordinates differ by at most 2^b, the numbers of bits are 8 b + 8 and 20 b + 18.
 /// This follows from the widths that LatticePoint states and from the determinants in lattice.cpp.
 ///
-/// The functions return nothing if the points lie on no lattice in whose units their offsets are small enough.
+/// The functions return nothing if the points lie on no lattice in whose units their offsets are small enough. If no
+/// lattice with one unit for both axes exists, orientation() and compare() use a unit for each axis: their answers do
+/// not change if one axis is stretched.
 namespace waywright::exact::lattice {
 
 [[nodiscard]] std::optional<Sign> orientation(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c);

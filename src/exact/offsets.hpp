@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "waywright/point.hpp"
 
@@ -50,48 +51,81 @@ class Offsets {
 
   /// Finds the lattice. Returns false if the points have no lattice in whose units their offsets are small enough.
   [[nodiscard]] bool find_lattice() {
-    if (largest_ == 0.0) {
-      values_.fill(0);
-      return true;
-    }
-    const int shift = kLargestBits - 1 - exponent_of(largest_);
-    const double scale = power_of_two(shift);
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < count_; ++i) {
-      const double rounded = differences_[i].rounded * scale;
-      const double error = differences_[i].error * scale;
-      const auto whole = static_cast<std::int64_t>(rounded);
-      const auto rest = static_cast<std::int64_t>(error);
-      if (static_cast<double>(whole) != rounded || static_cast<double>(rest) != error) return false;
-      values_[i] = whole + rest;
-      bits |= static_cast<std::uint64_t>(values_[i] < 0 ? -values_[i] : values_[i]);
-    }
-    const int zeros = std::countr_zero(bits);
-    for (std::size_t i = 0; i < count_; ++i) values_[i] >>= zeros;
-    bits_ = static_cast<int>(std::bit_width(bits)) - zeros;
-    unit_exponent_ = zeros - shift;
+    const std::optional<Unit> unit = find_unit<1>(0, largest_);
+    if (!unit) return false;
+    bits_ = unit->bits;
+    x_exponent_ = y_exponent_ = unit->exponent;
     return true;
   }
+  /// As find_lattice(), but if there is no such lattice, finds one with a unit for each axis. So points that are very
+  /// close to each other on one axis have a lattice, too. For an answer that does not change if one axis is stretched.
+  [[nodiscard]] bool find_any_lattice() { return find_lattice() || find_lattice_by_axis(); }
 
-  /// The offset of point `i`, in the order of add(). Requires: find_lattice() has returned true.
+  /// The offset of point `i`, in the order of add(). Requires: the points have a lattice.
   [[nodiscard]] LatticeVector operator[](std::size_t i) const { return {values_[2 * i], values_[2 * i + 1]}; }
   /// Every offset is smaller than 2^bits(), which is at most kLargestBits + 1.
   [[nodiscard]] int bits() const { return bits_; }
-  /// The lattice's unit is 2^unit_exponent().
-  [[nodiscard]] int unit_exponent() const { return unit_exponent_; }
+  /// The units of the x and y coordinates are 2^x_exponent() and 2^y_exponent().
+  [[nodiscard]] int x_exponent() const { return x_exponent_; }
+  [[nodiscard]] int y_exponent() const { return y_exponent_; }
 
  private:
+  /// The largest offset in units is smaller than 2^bits, and the unit is 2^exponent.
+  struct Unit {
+    int bits = 0;
+    int exponent = 0;
+  };
+
   [[nodiscard]] Twofold subtract(double a, double b) {
     const Twofold difference = subtract_exactly(a, b);
     largest_ = std::max(largest_, std::abs(difference.rounded));
     return difference;
   }
 
+  /// Writes every kStep-th coordinate in units, from the first on. Returns nothing if there is no suitable unit.
+  template <std::size_t kStep>
+  [[nodiscard]] std::optional<Unit> find_unit(std::size_t first, double largest) {
+    if (largest == 0.0) {
+      for (std::size_t i = first; i < count_; i += kStep) values_[i] = 0;
+      return Unit{};
+    }
+    const int shift = kLargestBits - 1 - exponent_of(largest);
+    const double scale = power_of_two(shift);
+    std::uint64_t bits = 0;
+    for (std::size_t i = first; i < count_; i += kStep) {
+      const double rounded = differences_[i].rounded * scale;
+      const double error = differences_[i].error * scale;
+      const auto whole = static_cast<std::int64_t>(rounded);
+      const auto rest = static_cast<std::int64_t>(error);
+      if (static_cast<double>(whole) != rounded || static_cast<double>(rest) != error) return std::nullopt;
+      values_[i] = whole + rest;
+      bits |= static_cast<std::uint64_t>(values_[i] < 0 ? -values_[i] : values_[i]);
+    }
+    const int zeros = std::countr_zero(bits);
+    for (std::size_t i = first; i < count_; i += kStep) values_[i] >>= zeros;
+    return Unit{static_cast<int>(std::bit_width(bits)) - zeros, zeros - shift};
+  }
+
+  [[nodiscard]] bool find_lattice_by_axis() {
+    std::array<double, 2> largest{};
+    for (std::size_t i = 0; i < count_; ++i)
+      largest[i % 2] = std::max(largest[i % 2], std::abs(differences_[i].rounded));
+    const std::optional<Unit> x = find_unit<2>(0, largest[0]);
+    if (!x) return false;
+    const std::optional<Unit> y = find_unit<2>(1, largest[1]);
+    if (!y) return false;
+    bits_ = std::max(x->bits, y->bits);
+    x_exponent_ = x->exponent;
+    y_exponent_ = y->exponent;
+    return true;
+  }
+
   Point origin_;
   double largest_ = 0.0;
   std::size_t count_ = 0;
   int bits_ = 0;
-  int unit_exponent_ = 0;
+  int x_exponent_ = 0;
+  int y_exponent_ = 0;
   std::array<Twofold, 2 * kMost> differences_;
   std::array<std::int64_t, 2 * kMost> values_;
 };

@@ -1,5 +1,10 @@
 #include "exact/predicates.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "exact/bounded.hpp"
 #include "exact/homogeneous.hpp"
 
 namespace waywright::exact {
@@ -39,7 +44,16 @@ Sign finer_in_circle(const ExactPosition& a, const ExactPosition& b, const Exact
     ++counts.in_circle.doubles;
     return *sign;
   }
-  return decide(counts.in_circle, lattice::in_circle(a, b, c, d), [&] { return integers::in_circle(a, b, c, d); });
+  if (const auto sign = lattice::in_circle(a, b, c, d)) {
+    ++counts.in_circle.lattice;
+    return *sign;
+  }
+  if (const auto sign = any_origin::in_circle(a, b, c, d)) {
+    ++counts.in_circle.doubles;
+    return *sign;
+  }
+  ++counts.in_circle.integers;
+  return integers::in_circle(a, b, c, d);
 }
 
 std::strong_ordering compare_beyond_doubles(const ExactPosition& p, const ExactPosition& q) {
@@ -47,6 +61,35 @@ std::strong_ordering compare_beyond_doubles(const ExactPosition& p, const ExactP
 }
 
 }  // namespace detail
+
+namespace any_origin {
+
+// A cyclic shift of four points is an odd permutation, so it changes the sign of the determinant.
+std::optional<Sign> in_circle(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c,
+                              const ExactPosition& d) {
+  struct Site {
+    Bounded x, y;
+  };
+  const auto site = [](const ExactPosition& p) -> Site {
+    const double rounding = p.is_explicit() ? 0.0 : filter::kHalfUlp;
+    return {{p.x, rounding * std::abs(p.x)}, {p.y, rounding * std::abs(p.y)}};
+  };
+  const auto minus = [](const Site& p, const Site& q) -> Site { return {p.x - q.x, p.y - q.y}; };
+  const auto lift = [](const Site& p) { return p.x * p.x + p.y * p.y; };
+  const auto cross = [](const Site& p, const Site& q) { return p.x * q.y - p.y * q.x; };
+  std::array<Site, 4> sites = {site(a), site(b), site(c), site(d)};
+  for (const bool is_odd : {false, true, false, true}) {
+    const Site p = minus(sites[0], sites[3]);
+    const Site q = minus(sites[1], sites[3]);
+    const Site r = minus(sites[2], sites[3]);
+    const Bounded determinant = lift(p) * cross(q, r) + lift(q) * cross(r, p) + lift(r) * cross(p, q);
+    if (const auto sign = sign_if_sure(determinant)) return is_odd ? -*sign : *sign;
+    std::rotate(sites.begin(), sites.begin() + 1, sites.end());
+  }
+  return std::nullopt;
+}
+
+}  // namespace any_origin
 
 namespace integers {
 

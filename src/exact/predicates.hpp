@@ -12,11 +12,20 @@
 namespace waywright::exact {
 
 // The three predicates. Each runs in stages, the cheapest first: a filter in doubles with a proven error bound;
-// integers of fixed width, if all coordinates lie on one lattice; integers of any size. Each stage has its own
-// namespace, so that tests can compare the stages with each other.
+// integers of fixed width, if all coordinates lie on one lattice; doubles once more, for in-circle only; integers of
+// any size. Each stage has its own namespace, so that tests can compare the stages with each other.
 //
 // Identities, for all points: orientation and in_circle change their signs if two arguments are swapped; in_circle
 // keeps its sign under a cyclic permutation of (a, b, c); compare(p, q) is the reverse of compare(q, p).
+
+namespace any_origin {
+/// Doubles with a bound of the error of each term (Bounded), and with each of the points as the origin in turn. Returns
+/// nothing if no bound decides. If two points are much closer to each other than to the other two points, then all
+/// terms are small if one of the two is the origin, and so are the errors. The filter takes the last point, whichever
+/// it is.
+[[nodiscard]] std::optional<Sign> in_circle(const ExactPosition& a, const ExactPosition& b, const ExactPosition& c,
+                                            const ExactPosition& d);
+}  // namespace any_origin
 
 namespace integers {
 /// The last stage, which is exact for every input in range.

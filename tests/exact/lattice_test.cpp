@@ -57,6 +57,7 @@ class LatticeSource {
     }
   }
   ExactPosition any() { return random_.chance(50) ? constructed() : exact::explicit_position(point()); }
+  Random& random() { return random_; }
 
  private:
   LatticeKind kind_;
@@ -162,7 +163,7 @@ TEST(Offsets, FindTheCoarsestLattice) {
   offsets.add({1006.5, -3});
   offsets.add({1000.5, 9});
   ASSERT_TRUE(offsets.find_lattice());
-  EXPECT_EQ(offsets.unit_exponent(), 1);
+  EXPECT_EQ(offsets.x_exponent(), 1);
   EXPECT_EQ(offsets.bits(), 3);
   EXPECT_EQ(offsets[0].x, 3);
   EXPECT_EQ(offsets[0].y, 0);
@@ -178,7 +179,7 @@ TEST(Offsets, AreExactWhereTheDifferenceOfDoublesIsNot) {
   exact::Offsets<1> nearer({0.1, 0});
   nearer.add({16, 0});
   ASSERT_TRUE(nearer.find_lattice());
-  EXPECT_EQ(nearer.unit_exponent(), -55);
+  EXPECT_EQ(nearer.x_exponent(), -55);
   EXPECT_EQ(nearer[0].x, (std::int64_t{1} << 59) - 3602879701896397);
 }
 
@@ -189,6 +190,88 @@ TEST(Offsets, OfOnePointAreZero) {
   ASSERT_TRUE(offsets.find_lattice());
   EXPECT_EQ(offsets[1].x, 0);
   EXPECT_EQ(offsets[1].y, 0);
+}
+
+TEST(Offsets, FindAUnitForEachAxis) {
+  exact::Offsets<2> offsets({0, 0x1p-80});
+  offsets.add({6, 0x3p-80});
+  offsets.add({9, -0x7p-80});
+  ASSERT_FALSE(offsets.find_lattice());
+  ASSERT_TRUE(offsets.find_any_lattice());
+  EXPECT_EQ(offsets.x_exponent(), 0);
+  EXPECT_EQ(offsets.y_exponent(), -79);
+  EXPECT_EQ(offsets.bits(), 4);
+  EXPECT_EQ(offsets[0].x, 6);
+  EXPECT_EQ(offsets[0].y, 1);
+  EXPECT_EQ(offsets[1].x, 9);
+  EXPECT_EQ(offsets[1].y, -4);
+}
+
+TEST(Offsets, FindAUnitIfAllAreEqualOnOneAxis) {
+  exact::Offsets<2> offsets({0.25, 7});
+  offsets.add({0x1p70, 7});
+  offsets.add({0.25, 7});
+  EXPECT_FALSE(offsets.find_any_lattice());
+  exact::Offsets<2> equal({0x1p-80, 7});
+  equal.add({0x3p-80, 7});
+  ASSERT_TRUE(equal.find_any_lattice());
+  EXPECT_EQ(equal[0].x, 1);
+  EXPECT_EQ(equal[0].y, 0);
+}
+
+/// Points of whole coordinates of up to 2^bits, with all y coordinates times 2^-70, or with all x coordinates if
+/// `is_steep`.
+class ThinSource {
+ public:
+  ThinSource(int bits, bool is_steep) : source_({bits, 0, 0}, 6), is_steep_(is_steep) {}
+
+  Point point() {
+    const Point p = source_.point();
+    return is_steep_ ? Point{p.x * 0x1p-70, p.y} : Point{p.x, p.y * 0x1p-70};
+  }
+  ExactPosition any() {
+    if (source_.random().chance(50)) return exact::explicit_position(point());
+    for (;;) {
+      const Crossing crossing{point(), point(), point(), point()};
+      const auto& [a, b] = crossing.ab;
+      const auto& [c, d] = crossing.cd;
+      if ((b.x - a.x) * (d.y - c.y) == (b.y - a.y) * (d.x - c.x)) continue;
+      const exact::RoundedCrossing rounded = exact::integers::round_to_nearest(crossing);
+      if (rounded.is_exact) continue;
+      crossings_.push_back(crossing);
+      return {rounded.nearest.x, rounded.nearest.y, &crossings_.back()};
+    }
+  }
+
+ private:
+  LatticeSource source_;
+  bool is_steep_;
+  std::deque<Crossing> crossings_;
+};
+
+TEST(LatticeStage, HasAUnitForEachAxisIfStretchingAnAxisChangesNoAnswer) {
+  for (const int bits : {13, 28, 51}) {
+    for (const bool is_steep : {false, true}) {
+      ThinSource source(bits, is_steep);
+      for (int i = 0; i < 1000; ++i) {
+        const ExactPosition a = source.any(), b = source.any(), c = source.any();
+        ASSERT_EQ(exact::lattice::orientation(a, b, c), exact::integers::orientation(a, b, c)) << "call " << i;
+        ASSERT_EQ(exact::lattice::compare(a, b), exact::integers::compare(a, b)) << "call " << i;
+        if (a.is_explicit()) continue;
+        const auto rounded = exact::lattice::round_to_nearest(a.crossing());
+        ASSERT_TRUE(rounded.has_value());
+        ASSERT_EQ(rounded->nearest, (Point{a.x, a.y})) << "call " << i;
+        ASSERT_FALSE(rounded->is_exact);
+      }
+    }
+  }
+}
+
+// The squares of the distances depend on both axes, so an in-circle test needs one unit for both.
+TEST(LatticeStage, HasOneUnitForInCircles) {
+  const ExactPosition a{0, 0}, b{8, 0}, c{8, 0x1p-70}, d{0, 0x1p-70};
+  EXPECT_EQ(exact::lattice::in_circle(a, b, c, d), std::nullopt);
+  EXPECT_EQ(exact::lattice::orientation(a, b, c), Sign::positive);
 }
 
 /// The largest sizes, in bits, of the determinants of constructed points over extreme draws.

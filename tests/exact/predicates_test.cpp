@@ -18,6 +18,7 @@ namespace waywright::test {
 
 namespace {
 
+using exact::Crossing;
 using exact::ExactPosition;
 using exact::Sign;
 
@@ -55,6 +56,7 @@ TEST_P(Predicates, InCircleAgreesWithRationals) {
     ASSERT_EQ(exact::in_circle(a, b, c, d), expected) << "call " << i;
     ASSERT_EQ(exact::integers::in_circle(a, b, c, d), expected) << "call " << i;
     ASSERT_EQ(exact::filter::fine::in_circle(a, b, c, d).value_or(expected), expected) << "call " << i;
+    ASSERT_EQ(exact::any_origin::in_circle(a, b, c, d).value_or(expected), expected) << "call " << i;
     ASSERT_TRUE(is_open_or(expected, coarse_in_circle(a, b, c, d))) << "call " << i;
     ASSERT_TRUE(is_open_or(expected, in_circle_in_box(a, b, c, d))) << "call " << i;
     ASSERT_EQ(exact::lattice::whole_in_circle(a, b, c, d).value_or(expected), expected) << "call " << i;
@@ -130,6 +132,46 @@ TEST(Filter, DecidesPointsFarFromTheOriginByItsCoarseBounds) {
   EXPECT_EQ(orientation_in_box(a, b, c), Sign::positive);
   EXPECT_EQ(coarse_in_circle(a, b, c, ExactPosition{4500000.5, 5300000.75}), Sign::positive);
   EXPECT_EQ(in_circle_in_box(a, b, c, ExactPosition{4500000.5, 5300000.75}), Sign::positive);
+}
+
+// Crossings of walls that nearly lie on the x axis: the errors of their y coordinates are as small as these
+// coordinates.
+TEST(Filter, DecidesFlatCasesOfCrossings) {
+  const Crossing low{{0, 0x1p-40}, {1, 0x3p-40}, {0, 0x5p-40}, {1, 0x2p-40}};
+  const Crossing high{{0, 0x2p-40}, {1, 0x4p-40}, {0, 0x7p-40}, {1, 0x3p-40}};
+  const auto at = [](const Crossing& crossing) -> ExactPosition {
+    const Point nearest = exact::integers::round_to_nearest(crossing).nearest;
+    return {nearest.x, nearest.y, &crossing};
+  };
+  // low lies at x = 4/5 and high at x = 5/6. In units of 2^-40, their heights are 13/5 and 11/3.
+  const ExactPosition a{0.25, 0x1p-40}, b{0.75, 0x9p-40};
+  for (const bool is_steep : {false, true}) {
+    const auto turned = [&](const ExactPosition& p) { return is_steep ? ExactPosition{p.y, p.x} : p; };
+    const auto turned_crossing = [&](const Crossing& c) -> Crossing {
+      const auto turn = [&](const Point& p) { return is_steep ? Point{p.y, p.x} : p; };
+      return {turn(c.ab.a), turn(c.ab.b), turn(c.cd.a), turn(c.cd.b)};
+    };
+    const Crossing low_turned = turned_crossing(low), high_turned = turned_crossing(high);
+    const ExactPosition p = at(low_turned), q = at(high_turned), from = turned(a), to = turned(b);
+    EXPECT_EQ(exact::filter::fine::orientation(from, p, q), exact::integers::orientation(from, p, q));
+    EXPECT_EQ(exact::filter::fine::orientation(from, p, q), is_steep ? Sign::negative : Sign::positive);
+    EXPECT_EQ(exact::filter::fine::in_circle(from, p, q, to), exact::integers::in_circle(from, p, q, to));
+  }
+}
+
+// Two points 2^-45 apart, and two points far from them: (1, 2^-45) lies inside the circle through (1, 0), (2, -1) and
+// the crossing, because the centre of this circle lies above the x axis, near (2.25, 0.25).
+TEST(Filter, DecidesTwoClosePointsByTheRightOrigin) {
+  const Crossing crossing{{0, 0}, {9, 3}, {0, 2}, {7, 0}};  // at (42/13, 14/13)
+  const Point nearest = exact::integers::round_to_nearest(crossing).nearest;
+  std::array<ExactPosition, 4> points = {{{1, 0}, {2, -1}, {nearest.x, nearest.y, &crossing}, {1, 0x1p-45}}};
+  for (int i = 0; i < 4; ++i) {
+    const auto& [a, b, c, d] = points;
+    const Sign right = exact::integers::in_circle(a, b, c, d);
+    EXPECT_EQ(right, i % 2 == 0 ? Sign::positive : Sign::negative);
+    EXPECT_EQ(exact::any_origin::in_circle(a, b, c, d), right);
+    std::rotate(points.begin(), points.begin() + 1, points.end());
+  }
 }
 
 TEST(Rectangle, IsRecognisedByItsCornersInAnyOrder) {

@@ -25,15 +25,19 @@ enum class NearMiss : unsigned char {
   on_a_circle,     ///< doubles next to a circle
   crossings,       ///< crossings of walls between points of a small lattice, and such points
   fine_crossings,  ///< crossings of nearly parallel walls between doubles
-  far_crossings    ///< the same, a thousand times nearer to one another than to the origin
+  far_crossings,   ///< the same, a thousand times nearer to one another than to the origin
+  flat_crossings,  ///< the same as fine_crossings, with all y coordinates times 2^-40
+  steep_crossings  ///< the same as flat_crossings, with x and y exchanged
 };
-inline constexpr std::array kNearMisses = {NearMiss::small_lattice, NearMiss::decimals,  NearMiss::on_a_line,
-                                           NearMiss::on_a_circle,   NearMiss::crossings, NearMiss::fine_crossings,
-                                           NearMiss::far_crossings};
+inline constexpr std::array kNearMisses = {
+    NearMiss::small_lattice, NearMiss::decimals,       NearMiss::on_a_line,
+    NearMiss::on_a_circle,   NearMiss::crossings,      NearMiss::fine_crossings,
+    NearMiss::far_crossings, NearMiss::flat_crossings, NearMiss::steep_crossings};
 
 inline std::string_view to_string(NearMiss kind) {
-  constexpr std::array<std::string_view, 7> kNames = {"small_lattice", "decimals",       "on_a_line",    "on_a_circle",
-                                                      "crossings",     "fine_crossings", "far_crossings"};
+  constexpr std::array<std::string_view, 9> kNames = {"small_lattice", "decimals",       "on_a_line",
+                                                      "on_a_circle",   "crossings",      "fine_crossings",
+                                                      "far_crossings", "flat_crossings", "steep_crossings"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -80,6 +84,17 @@ class NearMisses {
         const auto far = [&](double x, double y) -> Point { return {0.7 + x * 0x1p-10, 0.6 + y * 0x1p-10}; };
         const auto level = [&] { return 0.5 + between(-2, 2) * 0x1p-43; };
         add_crossing({far(0.0, fraction()), far(1.0, fraction()), far(0.1, level()), far(0.9, level())});
+        break;
+      }
+      case NearMiss::flat_crossings:
+      case NearMiss::steep_crossings: {
+        const auto thin = [&](double along, double across) -> Point {
+          across *= 0x1p-40;
+          return kind == NearMiss::flat_crossings ? Point{along, across} : Point{across, along};
+        };
+        const Point end = thin(0.0, fraction());
+        if (random_.chance(5)) points_.push_back(exact::explicit_position(end));
+        add_crossing({end, thin(1.0, fraction()), thin(0.1, 0.5 + nudge()), thin(0.9, 0.5 + nudge())});
         break;
       }
     }
@@ -166,6 +181,7 @@ inline Agreement compare_stages(NearMiss kind, std::uint64_t seed, std::uint64_t
     result.on_lattice += lattice_turn && lattice_circle && order ? 1 : 0;
     if (differ(turn, lattice_turn)) result.fault = "orientation: doubles against lattice";
     if (differ(circle, lattice_circle)) result.fault = "in-circle: doubles against lattice";
+    if (differ(exact::any_origin::in_circle(a, b, c, d), lattice_circle)) result.fault = "in-circle: any origin";
     if (differ(whole_circle, lattice_circle)) result.fault = "in-circle: whole numbers against lattice";
     for (const auto& exact_turn : {turn, lattice_turn}) {
       if (misleads(coarse_turn, exact_turn)) result.fault = "orientation: coarse bound";
@@ -185,8 +201,14 @@ inline Agreement compare_stages(NearMiss kind, std::uint64_t seed, std::uint64_t
     ++result.against_integers;
     const exact::Sign right_turn = exact::integers::orientation(a, b, c);
     if (exact::orientation(a, b, c) != right_turn) result.fault = "orientation: integers";
+    if (turn && *turn != right_turn) result.fault = "orientation: doubles against integers";
     if (misleads(boxed_turn, right_turn)) result.fault = "orientation: bound of the box against integers";
-    if (exact::in_circle(a, b, c, d) != exact::integers::in_circle(a, b, c, d)) result.fault = "in-circle: integers";
+    const std::optional<exact::Sign> right_circle = exact::integers::in_circle(a, b, c, d);
+    if (exact::in_circle(a, b, c, d) != right_circle) result.fault = "in-circle: integers";
+    if (differ(circle, right_circle)) result.fault = "in-circle: doubles against integers";
+    if (differ(exact::any_origin::in_circle(a, b, c, d), right_circle)) {
+      result.fault = "in-circle: any origin against integers";
+    }
     if (exact::compare(a, b) != exact::integers::compare(a, b)) result.fault = "order: integers";
   }
   if (!result.fault.empty()) result.fault += ", call " + std::to_string(result.calls);

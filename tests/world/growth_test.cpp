@@ -375,5 +375,40 @@ TEST(Growth, APolygonAroundAnAreaBetweenOthers) {
   }
 }
 
+/// Returns `count` segments from x = 0 to x = 1, which cross each other. Their ends have heights of up to `height`.
+std::vector<Item> bundle(std::size_t count, double height) {
+  const double step = height * 1.9 / static_cast<double>(count);
+  const auto level = [&](std::size_t i) { return step * static_cast<double>(i) - height * 0.95; };
+  const std::vector<std::size_t> right = mixed(count);
+  std::vector<Item> items;
+  for (std::size_t i = 0; i < count; ++i) {
+    items.push_back({ItemId{i + 1}, Shape::segment({0, level(i)}, {1, level(right[i])})});
+  }
+  return items;
+}
+
+// The filter treats x and y apart. So it decides nearly all tests of segments that are nearly collinear, and integers
+// of any size decide few, as many as for a bundle of ordinary heights.
+TEST(Growth, NearlyCollinearSegmentsNeedFewIntegersOfAnySize) {
+  const auto all = [](const StageCounts& c) { return c.doubles + c.lattice + c.integers; };
+  for (const bool is_at_once : {false, true}) {
+    const std::vector<Item> items = bundle(150, 0x1p-40);
+    World world = World::create({{-1, -1}, {2, 2}}).value();
+    const PredicateCounts before = predicate_counts();
+    if (is_at_once) {
+      static_cast<void>(world.insert_all(items).value());
+    } else {
+      for (const Item& item : items) static_cast<void>(world.insert(item.shape, item.id).value());
+    }
+    const PredicateCounts after = predicate_counts();
+    const std::uint64_t tests = all(after.in_circle) - all(before.in_circle);
+    EXPECT_LT(after.in_circle.integers - before.in_circle.integers, tests / 20);
+    EXPECT_LT(after.orientation.integers - before.orientation.integers, 10U);
+    EXPECT_EQ(after.crossing.integers, before.crossing.integers);
+    EXPECT_GT(all(after.crossing) - all(before.crossing), 4000U);
+    ASSERT_NO_FATAL_FAILURE(expect_right(world));
+  }
+}
+
 }  // namespace
 }  // namespace waywright::test
