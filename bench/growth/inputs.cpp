@@ -237,6 +237,29 @@ void path_round_a_polygon(std::size_t n, Meter& meter) {
   meter.stop();
 }
 
+// Segments from x = 0 to x = 1 that cross each other, with heights from -height to height.
+
+std::vector<Shape> bundle(std::size_t n, double height) {
+  Random random(6);
+  const auto level = [&] { return height * (2.0 * random.unit() - 1.0); };
+  std::vector<Shape> segments;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double left = level();
+    segments.push_back(Shape::segment({0, left}, {1, level()}));
+  }
+  return segments;
+}
+
+void bundle_inserted(std::size_t n, Meter& meter) {
+  World world = World::create({{-2, -2}, {3, 3}}).value();
+  measure_insertion(world, bundle(n, 1.0), meter);
+}
+
+void flat_bundle_inserted(std::size_t n, Meter& meter) {
+  World world = World::create({{-1, -1}, {2, 2}}).value();
+  measure_insertion(world, bundle(n, 0x1p-40), meter);
+}
+
 // Data on scales that differ much.
 
 void small_in_large_domain(std::size_t n, Meter& meter) {
@@ -447,6 +470,9 @@ constexpr Input kInputs[] = {
     {"fan_removed", 10000, false, "n segments that end at one vertex, removed", fan_removed},
     {"one_crossing_inserted", 4000, false, "n segments through one crossing, inserted", one_crossing_inserted},
     {"one_crossing_removed", 1000, false, "n segments through one crossing, removed", one_crossing_removed},
+    {"bundle_inserted", 400, false, "n segments that cross each other, inserted", bundle_inserted},
+    {"flat_bundle_inserted", 400, false, "n segments that cross each other, nearly collinear, inserted",
+     flat_bundle_inserted},
     {"hub_removed", 10000, false, "a vertex with n neighbours, removed", hub_removed},
     {"wall_between_curves", 10000, false, "a segment across n edges between two curves, inserted", wall_between_curves},
     {"rooms_at_once", 2000, false, "n segments across a hall, inserted by one operation", rooms_at_once},
