@@ -101,7 +101,6 @@ ww_status ww_regular_polygon(ww_point centre, double radius, size_t corner_count
                              size_t* count) {
   return guarded([&] {
     const ListOut<ww_point> out(points, capacity, count);
-    require(corner_count >= 3, "a polygon has 3 corners or more");
     return write_points(Shape::regular_polygon(to_cpp(centre), radius, corner_count).rings.points(), out);
   });
 }

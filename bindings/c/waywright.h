@@ -259,8 +259,9 @@ WW_API ww_status ww_shape_init(ww_shape* shape, size_t struct_size);
 
 /* Writes the corners of a rectangle, counter-clockwise from its lower left corner. */
 WW_API ww_status ww_rectangle(ww_box box, ww_point* points, size_t capacity, size_t* count);
-/* Writes the corners of a regular polygon of 3 corners or more, counter-clockwise from the corner to the right of the
-   centre. Each corner is rounded to doubles. The result is the same on every machine. */
+/* Writes the corners of a regular polygon, counter-clockwise from the corner to the right of the centre. Each corner is
+   rounded to doubles. The result is the same on every machine. A polygon has 3 corners or more: for fewer, the function
+   writes none, and a world refuses a polygon without corners (WW_BAD_SHAPE). */
 WW_API ww_status ww_regular_polygon(ww_point centre, double radius, size_t corner_count, ww_point* points,
                                     size_t capacity, size_t* count);
 /* Writes the points of a shape, moved by (dx, dy) and rounded to doubles. The rings keep their sizes. `points` may be

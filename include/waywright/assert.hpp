@@ -11,7 +11,7 @@ namespace waywright {
 struct AssertionFailure {
   const char* message = "";    ///< what the caller did wrong
   const char* condition = "";  ///< the expression that should have been true
-  const char* file = "";       ///< the source file of the check
+  const char* file = "";       ///< the name of the source file of the check, without its folders
   int line = 0;                ///< the line of the check in `file`
 };
 
@@ -43,14 +43,32 @@ WAYWRIGHT_API AssertionHandler set_assertion_handler(AssertionHandler handler) n
 /// @}
 
 namespace detail {
+/// Returns the part of `path` after its last separator of folders.
+[[nodiscard]] constexpr const char* file_name(const char* path) {
+  const char* name = path;
+  for (const char* at = path; *at != '\0'; ++at) {
+    if (*at == '/' || *at == '\\') name = at + 1;
+  }
+  return name;
+}
+
 /// Calls the handler, then aborts.
 [[noreturn]] WAYWRIGHT_API void fail_assertion(const AssertionFailure& failure);
 }  // namespace detail
 
 }  // namespace waywright
 
+/// The name of the source file without its folders: where a program was built is not the business of its users. Most
+/// compilers store only this name in the program, others store the whole path.
+/// @ingroup errors
+#if defined(__FILE_NAME__)
+#define WAYWRIGHT_FILE_NAME __FILE_NAME__
+#else
+#define WAYWRIGHT_FILE_NAME ::waywright::detail::file_name(__FILE__)
+#endif
+
 /// Calls the assertion handler and aborts if `condition` is false. The macro is an expression of type void.
 /// @ingroup errors
 #define WAYWRIGHT_ASSERT(condition, message) \
   ((condition) ? static_cast<void>(0)        \
-               : ::waywright::detail::fail_assertion({(message), #condition, __FILE__, __LINE__}))
+               : ::waywright::detail::fail_assertion({(message), #condition, WAYWRIGHT_FILE_NAME, __LINE__}))

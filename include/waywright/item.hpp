@@ -77,7 +77,8 @@ struct Shape {
   /// Returns the polygon of `corner_count` corners on a circle, counter-clockwise. The first corner lies to the right
   /// of the centre. The function rounds each corner to doubles. The result is the same on every machine. The radius is
   /// in the unit of the coordinates.
-  /// Requires: `corner_count` is 3 or more.
+  /// A polygon has 3 corners or more: for a smaller `corner_count`, the shape has no rings, and a world refuses it
+  /// (bad_shape).
   /// Cost: linear in the corners.
   [[nodiscard]] WAYWRIGHT_API static Shape regular_polygon(const Point& centre, double radius,
                                                            std::size_t corner_count);

@@ -154,7 +154,7 @@ void raise(const Error& error) {
 
 void fail_value_access(const Error& error) {
   const std::string message = "the program took the value of a Result that has an error: " + error.message();
-  fail_assertion({message.c_str(), "Result::ok()", __FILE__, __LINE__});
+  fail_assertion({message.c_str(), "Result::ok()", WAYWRIGHT_FILE_NAME, __LINE__});
 }
 
 }  // namespace detail

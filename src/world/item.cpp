@@ -102,7 +102,7 @@ Point direction(std::size_t i, std::size_t n) {
 
 Shape Shape::regular_polygon(const Point& centre, double radius, std::size_t corner_count) {
   const base::FloatEnvironment environment;
-  WAYWRIGHT_ASSERT(corner_count >= 3, "Shape::regular_polygon: a polygon has 3 corners or more");
+  if (corner_count < 3) return {ItemKind::polygon, {}};
   std::vector<Point> ring;
   ring.reserve(corner_count);
   for (std::size_t i = 0; i < corner_count; ++i) {

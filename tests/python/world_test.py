@@ -77,8 +77,6 @@ def test_broken_preconditions_are_exceptions(world):
     with pytest.raises(ValueError):
         world.mark()
     with pytest.raises(ValueError):
-        Shape.regular_polygon((0, 0), 1, 2)
-    with pytest.raises(ValueError):
         world.find_path((50, 50), (1, 1)).at(3)
     with pytest.raises(ValueError):
         world.insert_points([(1, 1)], threads=0)
@@ -258,4 +256,8 @@ def test_shapes():
     assert hash(shape) == hash(pickle.loads(pickle.dumps(shape))) and shape != shape.translated(1, 0)
     assert Shape.polygon(np.array([(0, 0), (9, 0), (9, 9)])) == Shape.polygon([(0, 0), (9, 0), (9, 9)])
     assert Shape.regular_polygon((0, 0), 1, 8).points.shape == (8, 2)
+    assert not Shape.regular_polygon((0, 0), 1, 2).rings
+    with pytest.raises(waywright.WaywrightError) as caught:
+        waywright.World(((0, 0), (9, 9))).insert(Shape.regular_polygon((5, 5), 1, 2))
+    assert caught.value.code == "bad-shape"
     assert repr(Shape.point((1, 2))) == "<waywright.Shape point (1, 2)>"

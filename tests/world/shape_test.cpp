@@ -143,6 +143,16 @@ TEST(Shape, OfARegularPolygonHasItsCornersOnACircle) {
   EXPECT_EQ(Shape::regular_polygon({10, 20}, 2, 4), Shape::polygon({{12, 20}, {10, 22}, {8, 20}, {10, 18}}));
 }
 
+TEST(Shape, OfARegularPolygonOfFewerThanThreeCornersIsRefused) {
+  World world = World::create({{0, 0}, {10, 10}}).value();
+  for (const std::size_t n : {0, 1, 2}) {
+    const Shape shape = Shape::regular_polygon({5, 5}, 1, n);
+    EXPECT_EQ(shape.kind, ItemKind::polygon);
+    EXPECT_TRUE(shape.rings.empty());
+    EXPECT_EQ(world.insert(shape).error().code, ErrorCode::bad_shape);
+  }
+}
+
 TEST(World, TakesBraces) {
   World world = World::create({{0, 0}, {10, 10}}).value();
   const Lists lists{{{1, 1}, {9, 1}, {9, 9}}, {{5, 2}, {8, 2}, {8, 5}}};

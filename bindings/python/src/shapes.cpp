@@ -85,14 +85,13 @@ differ.
 <waywright.Shape polygon of 7 points in 2 rings>
 )")
       .def_static("rectangle", &Shape::rectangle, py::arg("box"), "Returns the polygon of a box.")
-      .def_static(
-          "regular_polygon",
-          [](const Point& centre, double radius, std::size_t corner_count) {
-            if (corner_count < 3) throw py::value_error("corner_count must be 3 or more");
-            return Shape::regular_polygon(centre, radius, corner_count);
-          },
-          py::arg("centre"), py::arg("radius"), py::arg("corner_count"),
-          "Returns the polygon of corners on a circle. It is the same on every machine.");
+      .def_static("regular_polygon", &Shape::regular_polygon, py::arg("centre"), py::arg("radius"),
+                  py::arg("corner_count"),
+                  R"(
+Returns the polygon of corners on a circle. It is the same on every machine.
+
+A polygon has 3 corners or more. For fewer, the shape has no rings, and a world refuses it (code 'bad-shape').
+)");
 }
 
 void bind_shape(py::module_& module) {

@@ -59,7 +59,8 @@ export const Shape = {
     const list = readList(16, (buffer, capacity, count) => lib.ww_rectangle(given, buffer, capacity, count));
     return { kind: 'polygon', points: copyNumbers(list.address, 2 * list.count) };
   },
-  /** A regular polygon of 3 corners or more, counter-clockwise from the corner to the right. */
+  /** A regular polygon, counter-clockwise from the corner to the right. A polygon has 3 corners or more: for fewer, the
+      shape has no points, and a world refuses it with the code `bad-shape`. */
   regularPolygon(centre: Point, radius: number, cornerCount: number): Shape {
     const [at, size, corners] = [writePoint(scratch.a, centre), toNumber(radius, 'the radius'), toSize(cornerCount)];
     const list = readList(16, (buffer, capacity, count) =>
