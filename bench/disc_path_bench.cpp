@@ -12,13 +12,15 @@
 #include "waywright/query_context.hpp"
 #include "waywright/world.hpp"
 
+#include "divided_town.hpp"
 #include "harness.hpp"
 #include "real_scenes.hpp"
 #include "registers.hpp"
 #include "timing.hpp"
 #include "world_of.hpp"
 
-// What a path of a disc costs beside the path of a point agent with the same ends, on real maps.
+// What a path of a disc costs beside the path of a point agent with the same ends, on real maps. And what it costs to
+// find out that a disc cannot get through a gap, beside a path through this gap.
 
 namespace waywright::bench {
 namespace {
@@ -109,9 +111,55 @@ void time_disc_paths(benchmark::State& state, const Map& map, PathAlgorithm algo
   state.counters["ratio"] = disc / point;
 }
 
+/// Returns the queries with this status.
+std::vector<PathQuery> queries_with_status(const World& world, std::vector<PathQuery> queries, PathStatus status) {
+  std::erase_if(queries, [&](const PathQuery& query) { return world.find_path(query).value().status != status; });
+  return queries;
+}
+
+/// Returns the microseconds that a query takes in the mean. If `change` is true, a house moves before each query.
+double time_in_town(DividedTown& town, const std::vector<PathQuery>& queries, bool change, QueryContext& context) {
+  Path path;
+  double sum = 0.0;
+  for (const PathQuery& query : queries) {
+    if (change) town.move_house();
+    const auto start = Clock::now();
+    town.world().find_path(query, context, path).value();
+    sum += microseconds_since(start);
+    benchmark::DoNotOptimize(path.length);
+  }
+  return sum / static_cast<double>(queries.size());
+}
+
+void time_refusals(benchmark::State& state, PathAlgorithm algorithm) {
+  constexpr std::size_t kQueries = 400;
+  DividedTown town;
+  const auto found = queries_with_status(town.world(), town.queries(kQueries, 2.0, algorithm), PathStatus::found);
+  const auto refused = queries_with_status(town.world(), town.queries(kQueries, 4.0, algorithm), PathStatus::no_path);
+  QueryContext context;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::array<double, 4> times{kInfinity, kInfinity, kInfinity, kInfinity};
+  for ([[maybe_unused]] const auto iteration : state) {
+    for (int pass = 0; pass < kPasses; ++pass) {
+      times[0] = std::min(times[0], time_in_town(town, found, false, context));
+      times[1] = std::min(times[1], time_in_town(town, refused, false, context));
+      times[2] = std::min(times[2], time_in_town(town, found, true, context));
+      times[3] = std::min(times[3], time_in_town(town, refused, true, context));
+    }
+  }
+  state.counters["found_us"] = times[0];
+  state.counters["refused_us"] = times[1];
+  state.counters["found_after_change_us"] = times[2];
+  state.counters["refused_after_change_us"] = times[3];
+}
+
 }  // namespace
 
 void register_disc_paths() {
+  for (const Algorithm& algorithm : kAlgorithms) {
+    register_single_run("disc_path/divided_town/" + std::string(algorithm.name),
+                        [algorithm](benchmark::State& state) { time_refusals(state, algorithm.algorithm); });
+  }
   for (const Map& map : kMaps) {
     for (const Algorithm& algorithm : kAlgorithms) {
       for (const double radius : kRadii) {

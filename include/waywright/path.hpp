@@ -170,6 +170,22 @@ struct MovedEnd {
   friend bool operator==(const MovedEnd&, const MovedEnd&) = default;
 };
 
+/// The ends of a query, and how far the search may move them: an element of Path.
+///
+/// @code{.cpp}
+/// const Path answer_of_query = world.find_path({.start = start, .goal = goal}).value();
+/// const Point asked = answer_of_query.ends->goal;  // == goal
+/// @endcode
+struct QueryEnds {
+  Point start;
+  Point goal;
+  std::optional<double> end_tolerance;  ///< PathQuery::end_tolerance
+  /// Whether World::find_paths_from() gave the answer: ManyGoalsQuery::end_tolerance says how it moves the start.
+  bool has_many_goals = false;
+
+  friend bool operator==(const QueryEnds&, const QueryEnds&) = default;
+};
+
 /// A position on a path. Path::at, Path::advance and Path::nearest return it.
 ///
 /// @code{.cpp}
@@ -231,7 +247,9 @@ struct WAYWRIGHT_API Path {
   /// triangles at which it had a choice. For a disc, `tra` can also pause in a long series of triangles without a
   /// choice, if a path through other triangles seems to be shorter. Then the member also counts the triangle at which
   /// the search continues later. If the straight segment from the start to the goal of a point agent meets no wall, and
-  /// no vertex between its ends, the member is the number of edges that this segment crosses.
+  /// no vertex between its ends, the member is the number of edges that this segment crosses. If the query has a radius
+  /// above 0 and the status is no_path, the member is 0: how long the search takes to find this out depends on earlier
+  /// queries.
   std::size_t expansions = 0;
   /// The time from the start of the search to its end. The time between the slices of a PathSearch counts, too. It is 0
   /// if PathQuery::wants_time is false.
@@ -246,6 +264,9 @@ struct WAYWRIGHT_API Path {
   /// search sets this member if the query has a radius above 0, the status is no_path, and a smaller disc can move from
   /// start to goal.
   std::optional<WidestPath> widest;
+  /// The ends in the query. Each query sets this member. A PathWatch reads it if there is no path: then it knows when
+  /// a path becomes possible.
+  std::optional<QueryEnds> ends;
 
   /// Returns the position at `distance` from the start, along the path. A distance below 0 gives the start, and a
   /// distance above the length gives the goal. NaN counts as 0.

@@ -1,6 +1,7 @@
 #include "clearance/clearance.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "constraint/constrained_triangulation.inl"
@@ -73,7 +74,15 @@ Clearance::Clearance(const Triangulation& world, const SearchLimits& limits) {
   bridges_ = std::make_unique<Bridges>(triangulation_of_walls(world), limits);
 }
 
+std::uint64_t Clearance::new_state() {
+  static std::atomic<std::uint64_t> last = 0;
+  return last.fetch_add(1, std::memory_order_relaxed) + 1;
+}
+
+// The operation changes the triangulation of the world after this call. No query runs until the operation has ended or
+// has called update().
 void Clearance::begin() {
+  state_ = new_state();
   changed_.clear();
   changed_walls_.clear();
   removed_polygons_.clear();
@@ -98,6 +107,7 @@ void Clearance::note_changed(const Triangulation& world, ItemId id) {
 void Clearance::update(const Triangulation& world, const mesh::TouchedFaces& touched) {
   std::sort(changed_.begin(), changed_.end());
   changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+  state_ = new_state();
   if (!walls_ && is_any_changed_loose(world)) return make_walls(world);
   changed_walls_.make_tree();
   if (walls_) {
@@ -160,6 +170,7 @@ void Clearance::commit() {
 }
 
 void Clearance::roll_back() {
+  state_ = new_state();
   touched_guard_.reset();
   if (old_bridges_) {
     bridges_ = std::move(old_bridges_);
@@ -205,6 +216,7 @@ void Clearance::shrink_to_fit(const Triangulation& world) {
     bridges_ = std::make_unique<Bridges>(world, bridges_->limits());
     walls_.reset();
   }
+  state_ = new_state();  // the numbers of slots may have changed
   if (walls_) walls_->shrink_to_fit();
   bridges_->shrink_to_fit();
 }

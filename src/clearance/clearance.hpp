@@ -44,6 +44,9 @@ class Clearance {
   /// The second triangulation, or null if there is none.
   [[nodiscard]] const Triangulation* second_triangulation() const { return walls_.get(); }
   [[nodiscard]] const Bridges& bridges() const { return *bridges_; }
+  /// A number above 0 that says which bridges these are: it changes whenever the bridges or their triangulation change,
+  /// and no other object has ever had it. So a query can recognise the bridges about which it has learnt something.
+  [[nodiscard]] std::uint64_t state() const { return state_; }
 
   /// What the last update() has changed in the second triangulation.
   struct ChangesOfWalls {
@@ -100,6 +103,7 @@ class Clearance {
   void commit();
   void roll_back();
 
+  [[nodiscard]] static std::uint64_t new_state();
   [[nodiscard]] bool is_any_changed_loose(const Triangulation& world) const;
   void make_walls(const Triangulation& world);
   void update_walls(const Triangulation& world);
@@ -107,6 +111,7 @@ class Clearance {
 
   std::unique_ptr<Triangulation> walls_;  ///< the second triangulation, or null
   std::unique_ptr<Bridges> bridges_;
+  std::uint64_t state_ = new_state();
 
   // The next members belong to the operation under way.
   std::vector<ItemId> changed_;

@@ -1,8 +1,7 @@
 #include "clearance/widest.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <tuple>
+#include <limits>
 
 #include "exact/gap.hpp"
 
@@ -10,43 +9,54 @@ namespace waywright::clearance {
 
 namespace {
 
-/// Compares the lengths of two gates exactly. Doubles decide if the lengths differ by more than the rounding errors.
-/// Positions decide between gates of equal length, so that the answer does not depend on the order in which the search
-/// sees them.
-bool is_shorter(const Cells& cells, const CellEdge& p, double p_length, const CellEdge& q, double q_length) {
-  constexpr double kRoundingMargin = 0x1p-40;
-  if (std::abs(p_length - q_length) > kRoundingMargin * std::max(p_length, q_length)) return p_length < q_length;
-  const auto order = exact::compare_lengths(cells.gap(p), cells.gap(q));
-  if (order != 0) return order < 0;
-  const exact::Gap p_gap = cells.canonical_gap(p);
-  const exact::Gap q_gap = cells.canonical_gap(q);
-  const auto key = [](const exact::Gap& gap) {
-    return std::tie(gap.from.x, gap.from.y, gap.a.x, gap.a.y, gap.b.x, gap.b.y);
-  };
-  return key(p_gap) < key(q_gap);
-}
-
 /// The order of the heap of open gates.
 constexpr auto kIsFarther = [](const auto& p, const auto& q) { return p.squared_distance > q.squared_distance; };
 
 }  // namespace
 
 Narrowest WidestSearch::find(const Cells& cells, const CellEdge& start, const CellEdge& goal) {
+  radius_.reset();
+  begin_both(cells, start, goal);
+  step(cells, std::numeric_limits<std::size_t>::max());
+  return result_;
+}
+
+void WidestSearch::begin(const Cells& cells, const CellEdge& start, const CellEdge& goal, double radius) {
+  radius_ = radius;
+  begin_both(cells, start, goal);
+}
+
+void WidestSearch::begin_both(const Cells& cells, const CellEdge& start, const CellEdge& goal) {
   visited_.grow_to(cells.key_count());
   constexpr std::uint32_t kStamps = 2;
   stamp_.next(kStamps, visited_);
   begin(cells, searches_[0], goal, stamp_.value());
   begin(cells, searches_[1], start, stamp_.value() + 1);
-  if (enter(cells, searches_[0], start, &goal)) return {true, std::nullopt};
-  (void)enter(cells, searches_[1], goal, nullptr);
-  for (int current = 0; has_gates(searches_[current]); current = 1 - current) {
-    Search& search = searches_[current];
+  current_ = 0;
+  has_ended_ = enter(cells, searches_[0], start, &goal);
+  result_ = {has_ended_, std::nullopt};
+  if (!has_ended_) (void)enter(cells, searches_[1], goal, nullptr);
+}
+
+bool WidestSearch::step(const Cells& cells, std::size_t count) {
+  for (; !has_ended_ && count > 0; --count) {
+    Search& search = searches_[current_];
+    if (!has_gates(search)) {
+      has_ended_ = true;
+      break;
+    }
     const CellEdge beyond = cells.across(pop(cells, search));
     const std::uint32_t visited = visited_[cells.key(beyond)];
-    if (visited == searches_[1 - current].stamp) return narrower_level(cells);
+    if (visited == searches_[1 - current_].stamp) {
+      has_ended_ = true;
+      result_.is_connected = true;
+      if (const Search* narrower = search_with_narrower_level(cells)) result_.gate = narrower->level->edge;
+      break;
+    }
     if (visited != search.stamp) (void)enter(cells, search, beyond, nullptr);
+    current_ = 1 - current_;
   }
-  return {};
+  return has_ended_;
 }
 
 void WidestSearch::begin(const Cells& cells, Search& search, const CellEdge& target, std::uint32_t stamp) {
@@ -55,6 +65,8 @@ void WidestSearch::begin(const Cells& cells, Search& search, const CellEdge& tar
   search.level.reset();
   search.open.clear();
   search.shorter.clear();
+  search.entered.clear();
+  search.entered_before_level = 0;
 }
 
 /// Removes the next gate to cross. If none is as long as the level, lowers the level. Requires: the search has gates.
@@ -65,12 +77,11 @@ CellEdge WidestSearch::pop(const Cells& cells, Search& search) {
     search.open.pop_back();
     return gate;
   }
-  const auto is_less = [&](const Gate& p, const Gate& q) {
-    return is_shorter(cells, p.edge, p.length, q.edge, q.length);
-  };
-  std::pop_heap(search.shorter.begin(), search.shorter.end(), is_less);
+  std::pop_heap(search.shorter.begin(), search.shorter.end(),
+                [&](const MeasuredGate& p, const MeasuredGate& q) { return is_shorter(cells, p, q); });
   search.level = search.shorter.back();
   search.shorter.pop_back();
+  search.entered_before_level = search.entered.size();
   return search.level->edge;
 }
 
@@ -80,7 +91,9 @@ bool WidestSearch::enter(const Cells& cells, Search& search, const CellEdge& fro
   do {
     if (other_end != nullptr && edge == *other_end) return true;
     if (edge.is_gate()) {
-      visited_[cells.key(edge)] = search.stamp;
+      const std::uint32_t key = cells.key(edge);
+      visited_[key] = search.stamp;
+      search.entered.push_back(key);
       see(cells, search, edge);
     }
     edge = cells.next(edge);
@@ -92,25 +105,41 @@ bool WidestSearch::enter(const Cells& cells, Search& search, const CellEdge& fro
 void WidestSearch::see(const Cells& cells, Search& search, const CellEdge& gate) {
   if (visited_[cells.key(cells.across(gate))] == search.stamp) return;
   const exact::Gap gap = cells.gap(gate);
-  const Gate seen{gate, exact::length(gap)};
-  if (search.level && !is_shorter(cells, seen.edge, seen.length, search.level->edge, search.level->length)) {
+  if (!search.level && radius_ && exact::compare_to_diameter(gap, *radius_) >= 0) {
+    search.open.push_back({gate, squared_length(search.target - gap.from)});
+    std::push_heap(search.open.begin(), search.open.end(), kIsFarther);
+    return;
+  }
+  const MeasuredGate seen{gate, exact::length(gap)};
+  if (search.level && !is_shorter(cells, seen, *search.level)) {
     search.open.push_back({gate, squared_length(search.target - gap.from)});
     std::push_heap(search.open.begin(), search.open.end(), kIsFarther);
     return;
   }
   search.shorter.push_back(seen);
   std::push_heap(search.shorter.begin(), search.shorter.end(),
-                 [&](const Gate& p, const Gate& q) { return is_shorter(cells, p.edge, p.length, q.edge, q.length); });
+                 [&](const MeasuredGate& p, const MeasuredGate& q) { return is_shorter(cells, p, q); });
 }
 
-/// Returns the shorter of the two levels: the narrowest gate on the connection through the cell where the searches
-/// meet.
-Narrowest WidestSearch::narrower_level(const Cells& cells) const {
-  const std::optional<Gate>& a = searches_[0].level;
-  const std::optional<Gate>& b = searches_[1].level;
-  if (!b) return {true, a->edge};
-  if (!a) return {true, b->edge};
-  return {true, is_shorter(cells, a->edge, a->length, b->edge, b->length) ? a->edge : b->edge};
+/// Returns the search with the shorter level, or null if no search has a level. This level is the narrowest gate on the
+/// connection through the cell where the searches meet.
+const WidestSearch::Search* WidestSearch::search_with_narrower_level(const Cells& cells) const {
+  const std::optional<MeasuredGate>& a = searches_[0].level;
+  const std::optional<MeasuredGate>& b = searches_[1].level;
+  if (!a || !b) return a ? &searches_[0] : b ? &searches_[1] : nullptr;
+  return is_shorter(cells, *a, *b) ? &searches_[0] : &searches_[1];
+}
+
+// When the search with the narrower level got this level, it had entered all cells that it could reach through longer
+// gates. It has crossed only longer gates since, apart from the gate of the level. The other search has crossed only
+// longer gates.
+WidestSearch::Sides WidestSearch::sides(const Cells& cells) const {
+  const Search& narrower = *search_with_narrower_level(cells);
+  const Search& other = &narrower == &searches_[0] ? searches_[1] : searches_[0];
+  const std::span<const std::uint32_t> keys = narrower.entered;
+  const CellEdge beyond = cells.across(narrower.level->edge);
+  return {{narrower.level->edge, keys.first(narrower.entered_before_level)},
+          {{beyond, keys.subspan(narrower.entered_before_level)}, {beyond, other.entered}}};
 }
 
 }  // namespace waywright::clearance

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "waywright/point.hpp"
 
 #include "clearance/cells.hpp"
+#include "clearance/measured_gate.hpp"
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
 
@@ -28,6 +31,10 @@ struct Narrowest {
 /// longer gates. When the two meet, the shorter of the two levels is therefore the gate that the query asks for. If one
 /// end lies in a small enclosed area, its search soon leaves this area and continues straight towards the other end.
 ///
+/// If the query is about one disc, a gate that is not shorter than the diameter is *wide*. Wide gates need not be
+/// compared with each other: a search crosses all of them before it has a level. If the two searches meet before one of
+/// them has a level, the disc can move from one cell to the other.
+///
 /// Source: the bottleneck path (Pollack, *The maximum capacity through a network*, 1960).
 class WidestSearch {
  public:
@@ -36,12 +43,37 @@ class WidestSearch {
   /// n in the number of gates on these borders.
   [[nodiscard]] Narrowest find(const Cells& cells, const CellEdge& start, const CellEdge& goal);
 
- private:
-  /// A gate that a search has seen but not crossed, with its length in doubles.
-  struct Gate {
-    CellEdge edge;
-    double length;
+  /// Starts a search for a disc. Requires: until the last call of step(), the mesh and the bridges of `cells` exist and
+  /// do not change.
+  void begin(const Cells& cells, const CellEdge& start, const CellEdge& goal, double radius);
+  /// Continues until the search has crossed `count` more gates, or has ended. Returns whether it has ended.
+  bool step(const Cells& cells, std::size_t count);
+  /// Returns whether it is certain that the disc cannot move from one cell to the other. The search may still have to
+  /// find the gate that stops the disc. Requires: begin() has started the search.
+  [[nodiscard]] bool is_refused() const {
+    return has_ended_ ? !result_.is_connected || result_.gate : searches_[0].level || searches_[1].level;
+  }
+  /// The answer. If the disc can move from one cell to the other, the answer has no gate. Requires: the search has
+  /// ended.
+  [[nodiscard]] const Narrowest& result() const { return result_; }
+
+  /// The cells that the search knows on one side of the gate that stops the disc, by the keys of their gates.
+  struct Side {
+    CellEdge gate;  ///< the gate that stops the disc, on the border of a cell of this side
+    std::span<const std::uint32_t> keys;
   };
+  /// The sides of the gate that stops the disc. All cells of a side are connected by longer gates. No gate that leads
+  /// away from the cells of `complete` is longer. Requires: the search has ended, and the answer has a gate.
+  struct Sides {
+    Side complete;
+    Side others[2];
+  };
+  [[nodiscard]] Sides sides(const Cells& cells) const;
+  /// The gates of the cells that are connected with one of the two ends, if the ends are not connected: no gate leads
+  /// away from these cells. Requires: the search has ended, and the cells are not connected.
+  [[nodiscard]] std::span<const std::uint32_t> enclosed_keys() const { return searches_[current_].entered; }
+
+ private:
   /// A gate that is not shorter than the level of its search.
   struct OpenGate {
     CellEdge edge;
@@ -49,23 +81,32 @@ class WidestSearch {
   };
   /// The search from one end.
   struct Search {
-    Point target;                ///< a position near the other end
-    std::uint32_t stamp;         ///< marks the gates of the cells that this search has entered
-    std::optional<Gate> level;   ///< nothing as long as the search has crossed no gate
-    std::vector<OpenGate> open;  ///< a heap; the gate nearest to the target comes first
-    /// A heap of the gates that are shorter than the level or, as long as there is no level, of all gates that the
-    /// search has seen. The longest comes first.
-    std::vector<Gate> shorter;
+    Point target;                       ///< a position near the other end
+    std::uint32_t stamp;                ///< marks the gates of the cells that this search has entered
+    std::optional<MeasuredGate> level;  ///< nothing as long as the search has crossed no gate, or only wide ones
+    std::vector<OpenGate> open;         ///< a heap; the gate nearest to the target comes first
+    /// A heap of the gates that are shorter than the level. As long as there is no level: of all gates that the search
+    /// has seen and that are not wide. The longest comes first.
+    std::vector<MeasuredGate> shorter;
+    std::vector<std::uint32_t> entered;    ///< the keys of the gates of the entered cells
+    std::size_t entered_before_level = 0;  ///< the number of these keys when the search got its level
   };
 
+  void begin_both(const Cells& cells, const CellEdge& start, const CellEdge& goal);
   static void begin(const Cells& cells, Search& search, const CellEdge& target, std::uint32_t stamp);
   [[nodiscard]] static bool has_gates(const Search& search) { return !search.open.empty() || !search.shorter.empty(); }
+  [[nodiscard]] bool is_open(const Cells& cells, const Search& search, const CellEdge& gate,
+                             const exact::Gap& gap) const;
   [[nodiscard]] CellEdge pop(const Cells& cells, Search& search);
   [[nodiscard]] bool enter(const Cells& cells, Search& search, const CellEdge& from, const CellEdge* other_end);
   void see(const Cells& cells, Search& search, const CellEdge& gate);
-  [[nodiscard]] Narrowest narrower_level(const Cells& cells) const;
+  [[nodiscard]] const Search* search_with_narrower_level(const Cells& cells) const;
 
-  Search searches_[2];                          ///< the search from the start, the search from the goal
+  Search searches_[2];            ///< the search from the start, the search from the goal
+  std::optional<double> radius_;  ///< of the disc, or nothing: then no gate is wide
+  int current_ = 0;               ///< the search that crosses the next gate
+  bool has_ended_ = false;
+  Narrowest result_;
   memory::ZeroedArray<std::uint32_t> visited_;  ///< by key: the stamp of the search that has entered the gate's cell
   memory::Stamp stamp_;
 };

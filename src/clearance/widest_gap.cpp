@@ -12,8 +12,13 @@ void WidestGapFinder::find(const constraint::ExactTriangulation& triangulation, 
   if (!start_cell) return;
   const auto goal_cell = near_walls.find_cell(triangulation, bridges, goal);
   if (!goal_cell) return;
+  write_gap(triangulation, bridges, search_.find(Cells(triangulation, bridges), *start_cell, *goal_cell), result);
+}
+
+void write_gap(const constraint::ExactTriangulation& triangulation, const Bridges& bridges, const Narrowest& narrowest,
+               WidestGap& result) {
+  result.clear();
   const Cells cells(triangulation, bridges);
-  const Narrowest narrowest = search_.find(cells, *start_cell, *goal_cell);
   result.is_connected = narrowest.is_connected;
   if (!narrowest.gate) return;
   const CellEdge& gate = *narrowest.gate;

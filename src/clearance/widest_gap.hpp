@@ -45,4 +45,8 @@ class WidestGapFinder {
   WidestSearch search_;
 };
 
+/// Writes the answer of a search as a gap.
+void write_gap(const constraint::ExactTriangulation& triangulation, const Bridges& bridges, const Narrowest& narrowest,
+               WidestGap& result);
+
 }  // namespace waywright::clearance

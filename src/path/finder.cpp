@@ -28,6 +28,7 @@ void Finder::begin(const Triangulation& triangulation, const nav::Abstraction* a
   query_ = query;
   if (query.wants_time || has_time_limit()) start_time_ = Clock::now();
   reset(path);
+  path.ends = {query.start, query.goal, query.end_tolerance, false};
   ends_.set_start(triangulation, abstraction, query.start, query.end_tolerance);
   const std::optional<PathStatus> known = ends_.find_status_without_search(query.goal);
   ends_.write_ends(known.value_or(PathStatus::no_path), path);
@@ -150,6 +151,7 @@ void Finder::find_all(const Triangulation& triangulation, const nav::Abstraction
   ends_.move_blocked_start();
   for (std::size_t i = 0; i < paths.size(); ++i) {
     reset(paths[i]);
+    paths[i].ends = {query.start, query.goals[i], query.end_tolerance, true};
     const std::optional<PathStatus> known = ends_.find_status_without_search(query.goals[i]);
     ends_.write_ends(known.value_or(PathStatus::no_path), paths[i]);
     if (known) {

@@ -19,6 +19,7 @@ inline void reset(Path& path) {
   path.moved_goal.reset();
   path.blockers.clear();
   path.widest.reset();
+  path.ends.reset();
 }
 
 }  // namespace waywright::path

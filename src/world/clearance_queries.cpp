@@ -107,6 +107,11 @@ void World::Impl::widest_path(const Point& start, const Point& goal, detail::Que
   if (!is_inside_polygon(start) && !is_inside_polygon(goal)) {
     scratch.widest_gap_finder.find(walls, clearance->bridges(), scratch.near_walls, start, goal, gap);
   }
+  write_widest(gap, widest);
+}
+
+void World::Impl::write_widest(const clearance::WidestGap& gap, WidestPath& widest) const {
+  const constraint::ItemTable& items = mesh_of_discs().items();
   widest.is_connected = gap.is_connected;
   widest.is_limited = gap.is_limited;
   const bool is_unlimited = gap.is_connected && !gap.is_limited;
@@ -115,8 +120,8 @@ void World::Impl::widest_path(const Point& start, const Point& goal, detail::Que
   widest.to = gap.to;
   widest.from_items.clear();
   widest.to_items.clear();
-  append_ids(walls.items(), gap.from_items, widest.from_items);
-  append_ids(walls.items(), gap.to_items, widest.to_items);
+  append_ids(items, gap.from_items, widest.from_items);
+  append_ids(items, gap.to_items, widest.to_items);
   keep_one_of_each(widest.from_items);
   keep_one_of_each(widest.to_items);
 }

@@ -31,6 +31,21 @@ using Clock = std::chrono::steady_clock;
 /// A search with a budget looks at the budget each time it has made this many steps.
 constexpr std::size_t kSlice = 64;
 
+/// If the query remembers a gap that is too narrow for the disc, the search asks whether this gap separates the ends
+/// when it has made this many steps. To find the cells of the ends takes as much time as about ten steps.
+constexpr std::size_t kStepsBeforeMemory = 32;
+
+/// When the search has made this many steps without finding a path, it begins to look for a reason why there is none.
+constexpr std::size_t kStepsBeforePassage = 512;
+
+/// After that, it crosses this many gates for each `kStepsPerLook` steps. So queries that find a path take hardly more
+/// time.
+constexpr std::size_t kGatesPerLook = 2;
+constexpr std::size_t kStepsPerLook = 64;
+
+/// There is no need to look.
+constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// If a path of `ta` is shorter than the string by a smaller share of its length than this, the rounding of its pieces
@@ -185,9 +200,28 @@ void step_shortest(detail::DiscSearch& disc, std::size_t limit, Path& path) {
   if (disc.outcome == Outcome::found) write_path(disc, kInfinity, path);
 }
 
+/// Looks for a proof that the disc cannot move to the goal. Most searches for a path end before the first look.
+void look_at_passage(detail::DiscSearch& disc, clearance::NearWalls& near_walls, const Path& path) {
+  if (!std::isinf(disc.length)) {
+    disc.next_look = kNever;
+  } else if (path.expansions < kStepsBeforePassage) {
+    if (disc.passage.remembers_refusal(near_walls)) disc.outcome = Outcome::none;
+    disc.next_look = kStepsBeforePassage;
+  } else {
+    const std::optional<bool> passes = disc.passage.search(near_walls, kGatesPerLook);
+    if (passes == false) disc.outcome = Outcome::none;
+    disc.next_look = passes ? kNever : path.expansions + kStepsPerLook;
+  }
+}
+
 /// Continues the search. Returns whether it has ended.
-bool step(detail::DiscSearch& disc, std::size_t limit, Path& path) {
-  while (disc.outcome == Outcome::running && path.expansions < limit) {
+bool step(detail::DiscSearch& disc, std::size_t most, clearance::NearWalls& near_walls, Path& path) {
+  while (disc.outcome == Outcome::running && path.expansions < most) {
+    if (path.expansions >= disc.next_look) {
+      look_at_passage(disc, near_walls, path);
+      continue;
+    }
+    const std::size_t limit = std::min(most, disc.next_look);
     switch (disc.stage) {
       case Stage::guide:
         step_guide(disc, limit, path);
@@ -275,6 +309,8 @@ void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch
   disc.algorithm = query.algorithm;
   disc.budget = query.budget;
   disc.length = kInfinity;
+  disc.passage.begin(walls, clearance->bridges(), clearance->state(), query.start, query.goal, query.radius);
+  disc.next_look = disc.passage.may_remember() ? kStepsBeforeMemory : kStepsBeforePassage;
   disc.has_guide = !disc.ends.have_common_face();
   if (disc.algorithm == PathAlgorithm::optimal && disc.has_guide) {
     disc.stage = Stage::guide;
@@ -288,6 +324,7 @@ void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch
 bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
   path::reset(path);
   path.radius = query.radius;
+  path.ends = {query.start, query.goal, query.end_tolerance, false};
   detail::DiscSearch& disc = scratch.disc_search;
   disc.outcome = Outcome::none;
   disc.begun.reset();
@@ -308,11 +345,11 @@ bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& 
 bool World::Impl::step_disc_path(std::size_t limit, detail::QueryScratch& scratch, Path& path) const {
   detail::DiscSearch& disc = scratch.disc_search;
   if (disc.outcome != Outcome::running) return true;
-  if (!step(disc, limit, path)) return false;
+  if (!step(disc, limit, scratch.near_walls, path)) return false;
   if (disc.outcome == Outcome::none) {
-    WidestPath widest;
-    widest_path(disc.start, disc.goal, scratch, widest);
-    if (widest.is_connected) path.widest = std::move(widest);
+    path.expansions = 0;
+    disc.passage.find_gap(scratch.near_walls, scratch.widest_gap);
+    if (scratch.widest_gap.is_connected) write_widest(scratch.widest_gap, path.widest.emplace());
   }
   write_time(disc, path);
   return true;
@@ -333,6 +370,7 @@ void World::Impl::find_disc_paths_from(const ManyGoalsQuery& query, detail::Quer
     if (!begin_disc_path(single, scratch, path)) {
       step_disc_path(std::numeric_limits<std::size_t>::max(), scratch, path);
     }
+    path.ends->has_many_goals = true;
     expansions += path.expansions;
     if (!query.wants_points) path.pieces.clear();
   }

@@ -9,6 +9,7 @@
 #include "waywright/query_context.hpp"
 
 #include "clearance/bridge_lister.hpp"
+#include "clearance/disc_passage.hpp"
 #include "clearance/near_walls.hpp"
 #include "clearance/nearest_fit.hpp"
 #include "clearance/widest_gap.hpp"
@@ -54,7 +55,10 @@ struct DiscSearch {
   Stage stage = Stage::channel;
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   PathBudget budget;
-  double length = 0.0;  ///< the length of `pieces`; infinity as long as the search has found no path
+  double length = 0.0;             ///< the length of `pieces`; infinity as long as the search has found no path
+  clearance::DiscPassage passage;  ///< decides whether there is a path, while the stages search for it
+  /// The search looks at `passage` when Path::expansions has reached this number.
+  std::size_t next_look = 0;
   path::DiscLine line;
   bool has_guide = false;  ///< false if the two ends lie in one face: then the stages of the guide do not run
   path::DiscGuide guide;

@@ -12,6 +12,7 @@
 #include "waywright/world.hpp"
 
 #include "clearance/clearance.hpp"
+#include "clearance/widest_gap.hpp"
 #include "constraint/batch.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "nav/abstraction.hpp"
@@ -169,6 +170,7 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   void fit_disc(const Point& centre, double radius, detail::QueryScratch& scratch, DiscFit& fit) const;
   void nearest_fit(const NearestFitQuery& query, detail::QueryScratch& scratch, NearestFit& fit) const;
   void widest_path(const Point& start, const Point& goal, detail::QueryScratch& scratch, WidestPath& widest) const;
+  void write_widest(const clearance::WidestGap& gap, WidestPath& widest) const;
   // The steps of find_disc_paths_from() and begin_disc_path().
   [[nodiscard]] bool move_blocked_disc_ends(PathQuery& query, detail::QueryScratch& scratch, Path& path) const;
   [[nodiscard]] bool move_blocked_disc_end(PathQuery& query, bool is_start, const std::optional<Point>& other,

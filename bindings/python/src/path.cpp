@@ -80,11 +80,25 @@ std::string repr_of(const Path& path) {
   return "<waywright.Path found, length " + std::string(length) + ", " + count + ">";
 }
 
+/// The ends of a query for a pickle.
+py::object state_of_ends(const std::optional<QueryEnds>& ends) {
+  if (!ends) return py::none();
+  return py::make_tuple(ends->start, ends->goal, ends->end_tolerance, ends->has_many_goals);
+}
+
+std::optional<QueryEnds> ends_from(const py::object& state) {
+  if (state.is_none()) return std::nullopt;
+  const auto ends = state.cast<py::tuple>();
+  if (ends.size() != 4) throw py::value_error("the pickled path is damaged");
+  return QueryEnds{ends[0].cast<Point>(), ends[1].cast<Point>(), ends[2].cast<std::optional<double>>(),
+                   ends[3].cast<bool>()};
+}
+
 py::tuple state_of(const Path& path) {
   return py::make_tuple(path.status, path.length, path.lower_bound, path.radius, bytes_of(path.points),
                         bytes_of(path.pieces), bytes_of(path.channel), path.expansions, path.time.count(),
                         moved(path.moved_start), moved(path.moved_goal), bytes_of(path.blockers),
-                        path.widest ? py::cast(*path.widest) : py::none());
+                        path.widest ? py::cast(*path.widest) : py::none(), state_of_ends(path.ends));
 }
 
 /// Returns whether the numbers of a piece are plausible, so that each function of a path ends.
@@ -96,9 +110,14 @@ bool is_usable(const PathPiece& piece) {
          is_in_range(piece.radius);
 }
 
+bool is_usable(const QueryEnds& ends) {
+  return is_in_range(ends.start) && is_in_range(ends.goal) && (!ends.end_tolerance || *ends.end_tolerance >= 0.0);
+}
+
 /// Returns whether the numbers of a path are plausible. The numbers in a damaged pickle may not be.
 bool is_usable(const Path& path) {
   return std::isfinite(path.length) && path.length >= 0.0 && std::isfinite(path.radius) && path.radius >= 0.0 &&
+         (!path.ends || is_usable(*path.ends)) &&
          std::all_of(path.points.begin(), path.points.end(), [](const Point& point) { return is_in_range(point); }) &&
          std::all_of(path.pieces.begin(), path.pieces.end(), [&](const PathPiece& piece) {
            return is_usable(piece) && piece.radius <= path.radius;  // polyline() counts with the radius of the path
@@ -106,7 +125,7 @@ bool is_usable(const Path& path) {
 }
 
 std::unique_ptr<Path> path_from(const py::tuple& state) {
-  if (state.size() != 13) throw py::value_error("the pickled path is damaged");
+  if (state.size() != 14) throw py::value_error("the pickled path is damaged");
   auto path = std::make_unique<Path>();
   path->status = state[0].cast<PathStatus>();
   path->length = state[1].cast<double>();
@@ -121,6 +140,7 @@ std::unique_ptr<Path> path_from(const py::tuple& state) {
   path->moved_goal = moved_from(state[10]);
   path->blockers = from_bytes<ItemId>(state[11].cast<py::bytes>());
   if (!state[12].is_none()) path->widest = state[12].cast<WidestPath>();
+  path->ends = ends_from(state[13]);
   if (!is_usable(*path)) throw py::value_error("the pickled path is damaged");
   return path;
 }
