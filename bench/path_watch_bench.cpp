@@ -9,6 +9,7 @@
 #include "waywright/path_watch.hpp"
 #include "waywright/world.hpp"
 
+#include "divided_town.hpp"
 #include "harness.hpp"
 #include "random.hpp"
 #include "real_scenes.hpp"
@@ -108,9 +109,40 @@ void time_watch(benchmark::State& state, std::size_t count, Where where) {
   state.counters["may_be_too_long"] = static_cast<double>(too_long) / kBuildings;
 }
 
+/// Watches paths that were not found, while houses move.
+void time_refused(benchmark::State& state, std::size_t count, double radius) {
+  constexpr std::size_t kMoves = 100;
+  DividedTown town;
+  if (radius == 0.0) town.world().insert_segment({500, 490}, {500, 510}).value();
+  PathWatch watch(town.world());
+  const auto queries = town.queries(count, radius, PathAlgorithm::tra);
+  for (std::size_t i = 0; i < count; ++i) watch.add(i, town.world().find_path(queries[i]).value());
+  PathChanges changes;
+  double updates_us = 0.0;
+  std::size_t named = 0;
+  for ([[maybe_unused]] const auto iteration : state) {
+    for (std::size_t i = 0; i < kMoves; ++i) {
+      town.move_house();
+      const auto start = Clock::now();
+      watch.update(town.world(), changes);
+      updates_us += microseconds_since(start);
+      named += changes.may_be_too_long.size();
+    }
+  }
+  state.counters["update_us"] = updates_us / kMoves;
+  state.counters["may_be_too_long"] = static_cast<double>(named) / kMoves;
+}
+
 }  // namespace
 
 void register_path_watch() {
+  for (const double radius : {0.0, 4.0}) {
+    const std::string agents = radius == 0.0 ? "points" : "discs";
+    benchmark::RegisterBenchmark(("path_watch/10000/refused_" + agents).c_str(),
+                                 [=](benchmark::State& state) { time_refused(state, 10'000, radius); })
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
+  }
   for (const std::size_t count : {std::size_t{1000}, std::size_t{10'000}}) {
     for (const Where where : {Where::at_goals, Where::anywhere}) {
       const std::string name = where == Where::at_goals ? "buildings_at_goals" : "buildings_anywhere";

@@ -703,7 +703,8 @@ typedef struct ww_path_info {
   double length;       /* 0 if there is no path */
   double lower_bound;  /* no path is shorter; equals `length` if the path is proven shortest; 0 if there is no path */
   double radius;       /* as in the query */
-  uint64_t expansions; /* the triangles that the search entered; if radius > 0, also the straight lines it examined */
+  uint64_t expansions; /* the triangles that the search entered; if radius > 0, also the straight lines it examined,
+                          and 0 if there is no path */
   int64_t nanoseconds; /* the time of the search; 0 unless ww_path_query.wants_time */
   size_t point_count;
   size_t piece_count;
@@ -927,9 +928,8 @@ WW_API ww_status ww_path_watch_blocked(const ww_path_watch* watch, uint64_t* key
 WW_API ww_status ww_path_watch_may_be_blocked(const ww_path_watch* watch, uint64_t* keys, size_t capacity,
                                               size_t* count);
 /* Writes the keys of the paths that may be longer than necessary, because an operation removed an item that may have
-   blocked a shorter path; ascending. No other path has become longer than necessary, with one exception: if an
-   insertion blocks an end of a path that was not found, the next query moves this end to a free position, and can then
-   find a path. */
+   blocked a shorter path; ascending. The list also contains the paths that were not found, but are possible now. No
+   other path has become longer than necessary. */
 WW_API ww_status ww_path_watch_may_be_too_long(const ww_path_watch* watch, uint64_t* keys, size_t capacity,
                                                size_t* count);
 

@@ -27,7 +27,8 @@ struct PathChanges {
   /// World::is_affected().
   std::vector<std::uint64_t> may_be_blocked;
   /// The paths that may be longer than necessary: an operation has removed an item that may have blocked a shorter
-  /// path. No other path has become longer than necessary, with one exception: see PathWatch.
+  /// path. The list also contains the paths that were not found, but are possible now. No other path has become longer
+  /// than necessary, with one exception: see PathWatch.
   std::vector<std::uint64_t> may_be_too_long;
 
   friend bool operator==(const PathChanges&, const PathChanges&) = default;
@@ -52,14 +53,19 @@ struct PathChanges {
 /// Only the removal of an item can make a shorter path possible, and only if the shorter path meets the area where the
 /// item was. Each position on a shorter path lies in the ellipse whose foci are the start and the goal of the old path,
 /// and whose major axis is as long as the old path. So the watch compares the bounding boxes of removed items with this
-/// ellipse. There is one exception, which the watch does not report: an insertion that blocks an end of a path that was
-/// not found can make a path possible, because the next query moves this end to a free position
-/// (PathQuery::end_tolerance). A replacement counts as a removal and an insertion. A path that was not found counts as
-/// infinitely long: the watch reports it after each removal of a segment, polyline or polygon. If the search moved an
-/// end of the path, the ellipse is larger, and also contains the point at which the query wanted this end. If several
-/// positions to which a search could move the end are equally near to this point, up to rounding errors, the next
-/// search may choose another one of them, and its path may be shorter only for this reason. The watch does not report
-/// this case.
+/// ellipse. A replacement counts as a removal and an insertion. If the search moved an end of the path, the ellipse is
+/// larger, and also contains the point at which the query wanted this end. There is one exception, which the watch does
+/// not report: if several positions to which a search could move the end are equally near to this point, up to rounding
+/// errors, the next search may choose another one of them, and its path may be shorter only for this reason.
+///
+/// If a path was not found, the watch reports it when the query would find a path now (Path::ends), also if an
+/// insertion makes this possible: if it blocks an end, the query moves this end to a free position
+/// (PathQuery::end_tolerance). For a point agent, the report is exact. For a disc, the watch decides exactly whether
+/// the disc fits at the ends and can move from one to the other. If the radius is so small that a search may find no
+/// path although there is one (PathQuery::radius), such a path is reported, too. If you keep the path under its key,
+/// the watch reports it again after each later operation, as long as a path is possible. A path that was not found and
+/// has no Path::ends counts as infinitely long: the watch reports it after each removal of a segment, polyline or
+/// polygon.
 ///
 /// The watch copies the paths. If you move a watch to another object, you may only assign to the first object or
 /// destroy it.
@@ -102,15 +108,20 @@ class WAYWRIGHT_API PathWatch {
   /// If the world no longer has the boxes of all operations since then (World::changes_since()), or if `world` is a
   /// snapshot that is older than the world at the last update, the watch looks at all paths: it calls World::is_clear()
   /// for each path of a point agent, and lists each path of a disc in PathChanges::may_be_blocked and each path in
-  /// PathChanges::may_be_too_long, without a test.
+  /// PathChanges::may_be_too_long, without a test. It tests each path that was not found.
   /// Requires: `world` is the world for which the watch was made, this world after a move, or a snapshot of it
   /// (WorldSnapshot). World::attempt() is not asking a question about it.
   /// Cost: for each box of the operations since the last update (ChangedBox), a search in a tree; for the pieces of
   /// paths that come near to a box, the cost of World::is_clear(); the answer; and one step for each 64 paths of the
   /// watch. The watch calls World::is_clear() for a whole path in these cases: a piece near a box runs along a wall, or
   /// has a point with the rounded coordinates of a crossing; the path turns where a crossing may have vanished; the
-  /// last check found the path blocked; there are more than 8 boxes. Allocates nothing if earlier updates had answers
-  /// of this size. If memory runs out, `changes` is empty, and you can call update() again.
+  /// last check found the path blocked; there are more than 8 boxes. For a path that was not found, the watch tests
+  /// whether there is a path in these cases: a box is near an end; an operation has removed an item at the border of
+  /// the area that the agent cannot leave (if the world keeps its abstraction and the agent is a point: an operation
+  /// may have connected two areas); the watch has not tested it yet, or a path was possible at the last test. A test
+  /// costs two point locations and, for a disc or without an abstraction, a search through the smaller one of the two
+  /// areas. All tests of one update for agents of one radius share their searches. Allocates nothing if earlier updates
+  /// had answers and searches of this size. If memory runs out, `changes` is empty, and you can call update() again.
   void update(const World& world, PathChanges& changes);
 
  private:

@@ -1,6 +1,7 @@
 #include "nav/abstraction.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <utility>
 
@@ -35,6 +36,11 @@ class Abstraction::Guard {
 
 Abstraction::Abstraction(const Triangulation& triangulation) : components_(triangulation), core_(triangulation) {}
 
+std::uint64_t Abstraction::new_connections() {
+  static std::atomic<std::uint64_t> last = 0;
+  return last.fetch_add(1, std::memory_order_relaxed) + 1;
+}
+
 void Abstraction::begin() {
   is_updated_ = false;
   inserted_.clear();
@@ -60,6 +66,7 @@ void Abstraction::update(const Triangulation& triangulation, const mesh::Touched
   } else {
     core_.update(mesh, changed, new_faces_, [&](Face f) { return components_.component_of(f); });  // the old ones
     components_.update(triangulation, {changed, new_faces_, removed_, inserted_, triangulation.may_have_divided()});
+    if (components_.may_have_connected()) connections_ = new_connections();
   }
   is_updated_ = true;
   guard.keep();
@@ -88,6 +95,7 @@ void Abstraction::rebuild(const Triangulation& triangulation) {
   before_ = std::make_unique<Replaced>(Replaced{Components(triangulation), TwoCore(triangulation)});
   std::swap(components_, before_->components);
   std::swap(core_, before_->core);
+  connections_ = new_connections();
   was_rebuilt_ = true;
 }
 

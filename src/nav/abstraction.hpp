@@ -29,7 +29,7 @@ class Abstraction {
   /// The abstraction of a triangulation. Pass the same triangulation to every update(). The triangulation may have been
   /// moved to another object in between: then pass this object.
   explicit Abstraction(const Triangulation& triangulation);
-  /// Copies the components and the core. Requires: no operation is under way.
+  /// Copies the components and the core. The copy has other connections(). Requires: no operation is under way.
   Abstraction(const Abstraction& other)
       : components_(other.components_), core_(other.core_), was_rebuilt_(other.was_rebuilt_) {}
   Abstraction(Abstraction&&) = default;
@@ -39,6 +39,11 @@ class Abstraction {
 
   [[nodiscard]] const Components& components() const { return components_; }
   [[nodiscard]] const TwoCore& core() const { return core_; }
+
+  /// A number above 0 that no other object has ever had. It changes whenever an operation may have connected two
+  /// components that no polygon covered. So as long as it stays the same, uncovered faces that are not connected stay
+  /// unconnected. If an operation only builds or removes an item inside one component, the number stays the same.
+  [[nodiscard]] std::uint64_t connections() const { return connections_; }
 
   /// Starts an operation. Call note_inserted() and note_removed() for every polygon that the operation inserts or
   /// removes. The argument of both functions is the slot of the polygon.
@@ -75,6 +80,7 @@ class Abstraction {
  private:
   class Guard;
 
+  [[nodiscard]] static std::uint64_t new_connections();
   void rebuild(const Triangulation& triangulation);
   void collect_new_faces(const Triangulation& triangulation, const mesh::TouchedFaces& touched);
   void remove_common_polygons();
@@ -89,6 +95,7 @@ class Abstraction {
     TwoCore core;
   };
 
+  std::uint64_t connections_ = new_connections();
   bool is_updated_ = false;           ///< whether update() has changed something since begin()
   bool was_rebuilt_ = false;          ///< whether the last update was a rebuild
   std::unique_ptr<Replaced> before_;  ///< set if the operation under way has rebuilt the abstraction

@@ -57,6 +57,8 @@ void Components::make_room(const mesh::TriangleMesh& mesh) {
 
 /// Takes the changed faces out of their components. Frees a component that has no face left.
 void Components::remove_changed_faces(std::span<const Face> changed) {
+  may_have_connected_ = false;
+  Id open = kNone;  // a component that no polygon covers
   Id id = kNone;
   Record record;
   const auto write = [&] {
@@ -72,6 +74,10 @@ void Components::remove_changed_faces(std::span<const Face> changed) {
       write();
       id = own;
       record = records_[own];
+      if (record.cover == CoverTree::kEmpty) {
+        may_have_connected_ = may_have_connected_ || (open != kNone && open != own);
+        open = own;
+      }
     }
     --record.size;
   }

@@ -78,6 +78,10 @@ class Components {
   /// value.
   void update(const constraint::ExactTriangulation& triangulation, const Changes& changes);
 
+  /// Returns whether the last update() may have connected two components that no polygon covered before. Such an update
+  /// has changed faces of both.
+  [[nodiscard]] bool may_have_connected() const { return may_have_connected_; }
+
   /// Does the same as update(), for a change with three properties: the faces in `new_faces` fill the area of the faces
   /// in `changed`; no wall lies inside that area or on its border, before or after; no polygon was inserted or removed.
   void update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const mesh::Face> changed,
@@ -246,6 +250,7 @@ class Components {
   memory::Pages<std::uint32_t>
       marks_;  ///< by face: the mark of the last flood, search or group there; no mark is used twice
   std::uint32_t next_mark_ = 1;
+  bool may_have_connected_ = false;
   std::uint32_t group_mark_ = 0;   ///< mark of the first group; `group_mark_` - 1 marks new faces without a group
   std::uint32_t search_mark_ = 0;  ///< mark of the first search
   std::vector<mesh::Face> faces_;  ///< new faces, group by group

@@ -15,13 +15,22 @@
 #include "constraint/slot_sets.hpp"
 #include "nav/component_cover_finder.hpp"
 #include "nav/point_agent.hpp"
+#include "path/ends.hpp"
 #include "path/pieces.hpp"
 #include "path/polyline_walk.hpp"
+#include "path/reset.hpp"
+#include "world/area_graphs.hpp"
+#include "world/areas.hpp"
 #include "world/box_tree.hpp"
 #include "world/ellipse_bucket.hpp"
 #include "world/key_order.hpp"
+#include "world/path_ellipse.hpp"
+#include "world/path_slack.hpp"
 #include "world/piece_bucket.hpp"
 #include "world/point_error.hpp"
+#include "world/query_scratch.hpp"
+#include "world/refusals.hpp"
+#include "world/rough_tests.hpp"
 #include "world/world_impl.hpp"
 
 namespace waywright {
@@ -32,13 +41,6 @@ namespace {
 /// path. The width of each box is at most this share of the width of the domain, or its height is at most this share of
 /// the height of the domain.
 constexpr double kLargestShare = 0x1p-6;
-
-double largest_coordinate(const Point& p) { return std::max(std::abs(p.x), std::abs(p.y)); }
-
-/// A bound of the rounding errors of positions, distances and boxes near `a` and `b`.
-double slack_of(const Point& a, const Point& b) {
-  return 0x1p-45 * std::max(largest_coordinate(a), largest_coordinate(b));
-}
 
 /// Calls visit(box) for boxes that together contain all positions that are at most `reach` away from the segment from
 /// `a` to `b`.
@@ -55,31 +57,6 @@ void for_each_box_of_line(const Point& a, const Point& b, double reach, const Bo
     visit(box.expanded(reach + slack_of(a, b)));
     from = to;
   }
-}
-
-/// Returns true only if the two segments surely cross, also if each coordinate of their ends is wrong by `slack`. Two
-/// segments cross if one end of each segment lies left of the line through the other segment, and the other end lies
-/// right of this line.
-bool surely_cross(const Point& a, const Point& b, const Point& c, const Point& d, double slack) {
-  const auto extent = [](const Point& p) { return std::abs(p.x) + std::abs(p.y); };
-  const auto are_apart = [&](const Point& from, const Point& along, const Point& p, const Point& q) {
-    const Point to_p = p - from;
-    const Point to_q = q - from;
-    const double error = 8.0 * slack * (extent(along) + extent(to_p) + extent(to_q) + slack);
-    const double at_p = cross(along, to_p);
-    const double at_q = cross(along, to_q);
-    return std::min(at_p, at_q) < -error && std::max(at_p, at_q) > error;
-  };
-  return are_apart(a, b - a, c, d) && are_apart(c, d - c, a, b);
-}
-
-/// Returns whether a segment meets a box. Rounding errors may make the answer wrong.
-bool probably_meets(const Point& a, const Point& b, const Box& box) {
-  if (std::max(a.x, b.x) < box.min.x || std::min(a.x, b.x) > box.max.x) return false;
-  if (std::max(a.y, b.y) < box.min.y || std::min(a.y, b.y) > box.max.y) return false;
-  const Point along = b - a;
-  const Point centre = 0.5 * (box.min + box.max);
-  return 2.0 * std::abs(cross(along, centre - a)) <= std::abs(along.x) * box.height() + std::abs(along.y) * box.width();
 }
 
 /// The ends of a diagonal of a box, from left to right.
@@ -101,48 +78,6 @@ bool may_touch_diagonal(const Box& around, Diagonal diagonal, const Box& box, do
       std::minmax({cross(along, box.min - from), cross(along, box.max - from),
                    cross(along, Point{box.min.x, box.max.y} - from), cross(along, Point{box.max.x, box.min.y} - from)});
   return least <= error && most >= -error;
-}
-
-/// A box that contains the ellipse.
-Box bounds_of(const Ellipse& ellipse) {
-  constexpr double kBeyondAllDomains = 2 * kLargestCoordinate;
-  if (ellipse.length > kBeyondAllDomains) {
-    return {{-kBeyondAllDomains, -kBeyondAllDomains}, {kBeyondAllDomains, kBeyondAllDomains}};
-  }
-  // Half the extent of the ellipse in one axis, if the foci differ by `other` in the other axis.
-  const auto half_extent = [&](double other) {
-    return 0.5 * std::sqrt(std::max(ellipse.length - other, 0.0) * (ellipse.length + other));
-  };
-  const Point& start = ellipse.start;
-  const Point& goal = ellipse.goal;
-  const Point centre = 0.5 * (start + goal);
-  const Point across{half_extent(std::abs(goal.y - start.y)), half_extent(std::abs(goal.x - start.x))};
-  return Box{centre - across, centre + across}.expanded(ellipse.reach + slack_of(start, goal));
-}
-
-/// Returns the ellipse that contains each shorter path. If the search has moved an end, the ellipse also contains each
-/// position that is nearer to the end in the query than the moved end is. Suppose that the search has moved the start
-/// from `s` to `t`, by the distance d. If a position p is nearer to `s` than `t` is, then p is at most d away from `s`,
-/// and at most d + d + length away from the goal. So the sum of the two distances is at most the length of the path
-/// plus 3 d, and this is Ellipse::length.
-Ellipse ellipse_of(const Path& path) {
-  const bool has_points = !path.points.empty();
-  if (path.status != PathStatus::found || (!has_points && path.pieces.empty())) return {};
-  Ellipse ellipse;
-  ellipse.start = has_points ? path.points.front() : path.pieces.front().from;
-  ellipse.goal = has_points ? path.points.back() : path.pieces.back().to;
-  double moved = 0.0;
-  const auto move_back = [&](Point& end, const MovedEnd& moved_end) {
-    moved += distance(moved_end.from, moved_end.to);
-    end = moved_end.from;
-  };
-  if (path.moved_start) move_back(ellipse.start, *path.moved_start);
-  if (path.moved_goal) move_back(ellipse.goal, *path.moved_goal);
-  // The length is a sum of rounded lengths. The last term covers the rounding of up to 4 million turns.
-  const double largest = std::max(largest_coordinate(ellipse.start), largest_coordinate(ellipse.goal));
-  ellipse.length = path.length + 3.0 * moved + 0x1p-30 * (path.length + largest);
-  ellipse.reach = path.radius * (1.0 + 0x1p-30);
-  return ellipse;
 }
 
 /// The lists of an answer, empty at first. During an update, `blocked` and `may_be_blocked` contain slots. At the end,
@@ -197,11 +132,19 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
       : domain(world.domain()),
         version(world.version()),
         had_crossings(has_crossings(world)),
+        connections(connections_of(world)),
         pieces(domain),
-        ellipses(domain) {}
+        ellipses(domain),
+        refusals(domain) {}
 
   static bool has_crossings(const World& world) {
     return world.impl_->triangulation.triangulation().geometry().has_constructed();
+  }
+
+  /// The state of the components (nav::Abstraction::connections()), or 0 without an abstraction.
+  static std::uint64_t connections_of(const World& world) {
+    const nav::Abstraction* const abstraction = world.impl_->kept_abstraction();
+    return abstraction != nullptr ? abstraction->connections() : 0;
   }
 
   /// The slot of a new path. If memory runs out while PathWatch::add() adds the path, the destructor removes the path
@@ -253,13 +196,19 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   [[nodiscard]] bool is_clear(std::uint32_t slot, const World& world, Boxes boxes);
   void check_box(const ChangedBox& changed, const World& world, Boxes boxes, PathChanges& changes);
   void check_all(const World& world, PathChanges& changes);
+  void check_refusals(const World& world, Boxes boxes, bool all);
+  [[nodiscard]] bool has_become_possible(std::uint32_t slot, const World::Impl& world, std::optional<Box>& barrier);
+  [[nodiscard]] bool are_in_one_area(std::optional<Box>& barrier);
+  [[nodiscard]] bool can_disc_pass(PathQuery& query, bool fits, const World::Impl& world, std::optional<Box>& barrier);
 
   Box domain;
-  std::uint64_t version;  ///< the version of the world at the last update
-  bool had_crossings;     ///< whether the world had crossings at the last update
+  std::uint64_t version;      ///< the version of the world at the last update
+  bool had_crossings;         ///< whether the world had crossings at the last update
+  std::uint64_t connections;  ///< connections_of() the world at the last update
   std::uint64_t updates = 0;
   Pieces pieces;
   Ellipses ellipses;  ///< by the bounding boxes of the ellipses
+  Refusals refusals;
   std::vector<Watched> watched;
   std::vector<State> states;      ///< by slot
   std::size_t blocked_count = 0;  ///< the number of paths with State::is_blocked
@@ -272,6 +221,16 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   std::vector<mesh::HalfEdge> faces;
   nav::ComponentCoverFinder cover_finder;
   path::PolylineWalk walk;
+
+  // Scratch of check_refusals().
+  path::Ends moved_ends;
+  std::optional<FaceGraph> face_graph;  ///< set if the areas of `face_areas` belong to the present world
+  Areas<FaceGraph> face_areas;
+  std::optional<CellGraph> cell_graph;  ///< set if the areas of `cell_areas` belong to the present world
+  double radius_of_cells = 0.0;
+  Areas<CellGraph> cell_areas;
+  std::unique_ptr<detail::QueryScratch> scratch;  ///< null until the first check of a disc
+  Path answer;
 };
 
 void PathWatch::Impl::add_box(const Piece& piece, const Box& box) {
@@ -312,6 +271,7 @@ void PathWatch::Impl::drop(std::uint32_t slot) noexcept {
   Watched& path = watched[slot];
   for (const Pieces::Handle box : path.boxes) pieces.remove(box);
   if (path.has_ellipse) ellipses.remove(path.ellipse);
+  refusals.remove(slot);
   set_blocked(slot, false);
   path.has_ellipse = false;
   path.boxes.clear();
@@ -461,13 +421,92 @@ void PathWatch::Impl::check_box(const ChangedBox& changed, const World& world, B
 void PathWatch::Impl::check_all(const World& world, PathChanges& changes) {
   has_walls = false;
   for (const auto& [key, slot] : slots) {
-    keys.mark(slot);
+    if (watched[slot].has_ellipse) keys.mark(slot);
     if (states[slot].is_for_disc) {
       changes.may_be_blocked.push_back(slot);
     } else if (!watched[slot].points.empty()) {
       check({slot, 0, Diagonal::none}, {}, world, {}, changes);
     }
   }
+}
+
+/// Marks the keys of the paths that were not found and are possible now.
+void PathWatch::Impl::check_refusals(const World& world, Boxes boxes, bool all) {
+  if (refusals.is_empty() || (boxes.empty() && !all)) return;
+  face_graph.reset();
+  cell_graph.reset();
+  const bool may_have_connected = connections_of(world) != connections;
+  for (const std::uint32_t slot : refusals.list(boxes, all, may_have_connected)) {
+    std::optional<Box> barrier;
+    if (has_become_possible(slot, *world.impl_, barrier)) {
+      refusals.set_possible(slot);
+      keys.mark(slot);
+    } else {
+      const bool has_answer = refusals.refusal(slot).radius > 0.0 && barrier;
+      refusals.set_barrier(slot, barrier, has_answer && !answer.moved_start && !answer.moved_goal);
+    }
+  }
+}
+
+/// Returns whether the query of a path that was not found now finds a path. The answer is exact for point agents. For
+/// discs it is true if a path exists. If the answer is false, `barrier` is the argument of Refusals::set_barrier(). For
+/// a point agent in a world with an abstraction it is empty, because connections_of() says when the answer may change.
+bool PathWatch::Impl::has_become_possible(std::uint32_t slot, const World::Impl& world, std::optional<Box>& barrier) {
+  const Refusals::Refusal& refusal = refusals.refusal(slot);
+  const QueryEnds& asked = refusal.ends;
+  if (refusal.radius > 0.0) {
+    if (!world.clearance) return true;  // the path is not an answer of this world
+    PathQuery query{
+        .start = asked.start, .goal = asked.goal, .radius = refusal.radius, .end_tolerance = asked.end_tolerance};
+    return can_disc_pass(query, refusals.fits_at_ends(slot), world, barrier);
+  }
+  moved_ends.set_start(world.triangulation, world.kept_abstraction(), asked.start, asked.end_tolerance);
+  if (asked.has_many_goals) moved_ends.move_blocked_start();
+  const std::optional<PathStatus> known = moved_ends.find_status_without_search(asked.goal);
+  if (known) return known == PathStatus::found;
+  if (world.abstraction) return true;
+  if (!face_graph)
+    face_areas.begin(face_graph.emplace(world.triangulation), world.triangulation.topology().face_slots());
+  return are_in_one_area(barrier);
+}
+
+/// Returns whether a face at the start is connected with a face at the goal.
+bool PathWatch::Impl::are_in_one_area(std::optional<Box>& barrier) {
+  Box enclosed;
+  for (const mesh::HalfEdge start : moved_ends.start_faces()) {
+    for (const mesh::HalfEdge goal : moved_ends.goal_faces()) {
+      if (face_areas.are_connected(start, goal, enclosed)) return true;
+      if (!barrier) barrier = enclosed;
+      barrier->expand(enclosed.min);
+      barrier->expand(enclosed.max);
+    }
+  }
+  return false;
+}
+
+/// Returns whether the disc fits at both ends, after the query has moved them, and can move from one to the other.
+/// `fits` says that it is known to fit without a move.
+bool PathWatch::Impl::can_disc_pass(PathQuery& query, bool fits, const World::Impl& world,
+                                    std::optional<Box>& barrier) {
+  if (!scratch) scratch = std::make_unique<detail::QueryScratch>();
+  path::reset(answer);
+  if (!fits && !world.move_blocked_disc_ends(query, *scratch, answer)) return false;
+  const constraint::ExactTriangulation& mesh = world.mesh_of_discs();
+  const clearance::Bridges& bridges = world.clearance->bridges();
+  const auto start = scratch->near_walls.find_cell(mesh, bridges, query.start);
+  const auto goal = scratch->near_walls.find_cell(mesh, bridges, query.goal);
+  if (!start || !goal) return true;
+  if (!cell_graph || radius_of_cells != query.radius) {
+    radius_of_cells = query.radius;
+    cell_graph.emplace(mesh, bridges, query.radius);
+    cell_areas.begin(*cell_graph, cell_graph->key_count());
+  }
+  Box enclosed;
+  if (cell_areas.are_connected(*start, *goal, enclosed)) return true;
+  // After each removal, the query may prefer another position for an end that it has moved.
+  const bool has_moved = answer.moved_start || answer.moved_goal;
+  barrier = has_moved ? domain : enclosed;
+  return false;
 }
 
 PathWatch::PathWatch(const World& world) : impl_(std::make_unique<Impl>(world)) {
@@ -490,9 +529,16 @@ void PathWatch::add(std::uint64_t key, const Path& path) {
                                    [&](const Point& p) { return is_point_of(impl_->domain, p); });
   impl_->states[addition.slot()] = {0, !path.pieces.empty(), false};
   impl_->add_boxes(addition.slot());
-  const Ellipse ellipse = ellipse_of(path);
-  added.ellipse = impl_->ellipses.insert(bounds_of(ellipse), {ellipse, addition.slot()});
-  added.has_ellipse = true;
+  const bool has_ends =
+      path.ends && is_point_of(impl_->domain, path.ends->start) && is_point_of(impl_->domain, path.ends->goal);
+  if (path.status != PathStatus::found && has_ends) {
+    const double tolerance = path.ends->end_tolerance.value_or(path::default_end_tolerance(impl_->domain));
+    impl_->refusals.add(addition.slot(), {*path.ends, path.radius}, tolerance);
+  } else {
+    const Ellipse ellipse = ellipse_of(path);
+    added.ellipse = impl_->ellipses.insert(bounds_of(ellipse), {ellipse, addition.slot()});
+    added.has_ellipse = true;
+  }
   const auto [found, is_new] = impl_->slots.try_emplace(key, addition.slot());
   // Nothing can fail from here on.
   if (is_new) {
@@ -525,8 +571,10 @@ void PathWatch::update(const World& world, PathChanges& changes) {
   impl_->keys.clear_marks();
   if (const auto boxes = world.changes_since(impl_->version)) {
     for (const ChangedBox& changed : *boxes) impl_->check_box(changed, world, *boxes, changes);
+    impl_->check_refusals(world, *boxes, false);
   } else {
     impl_->check_all(world, changes);
+    impl_->check_refusals(world, {}, true);
   }
   impl_->keys.take_marked(changes.may_be_too_long);
   impl_->keys.replace_by_keys(changes.blocked);
@@ -534,6 +582,7 @@ void PathWatch::update(const World& world, PathChanges& changes) {
   answer.keep();
   impl_->version = world.version();
   impl_->had_crossings = Impl::has_crossings(world);
+  impl_->connections = Impl::connections_of(world);
 }
 
 }  // namespace waywright

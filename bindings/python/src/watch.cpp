@@ -75,7 +75,8 @@ void bind_path_changes(py::module_& module) {
           "The paths of discs near which an item was inserted.")
       .def_property_readonly(
           "may_be_too_long", [](const PathChanges& self) { return self.may_be_too_long; },
-          "The paths that may be longer than necessary, because an item was removed.")
+          "The paths that may be longer than necessary, because an item was removed, and those that have become "
+          "possible.")
       .def(
           "__eq__", [](const PathChanges& a, const PathChanges& b) { return a == b; }, py::is_operator())
       .def("__reduce_ex__", &refuse_pickle, py::arg("protocol"))

@@ -11,7 +11,7 @@ export interface PathChanges {
   readonly blocked: ItemId[];
   /** The paths of discs to which an inserted item is so near that the disc may touch it. */
   readonly mayBeBlocked: ItemId[];
-  /** The paths that may be longer than necessary, because an item was removed. */
+  /** The paths that may be longer than necessary, because an item was removed, and those that have become possible. */
   readonly mayBeTooLong: ItemId[];
 }
 
