@@ -1,6 +1,7 @@
 #include "clearance/gap_memory.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "exact/gap.hpp"
 

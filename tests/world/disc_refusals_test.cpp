@@ -75,7 +75,7 @@ TEST(DiscRefusals, AgreeInATownThatChanges) {
   QueryContext context;
   Path path;
   std::array<std::size_t, 2> counts{};
-  for (int round = 0; round < 200; ++round) {
+  for (std::size_t round = 0; round < 200; ++round) {
     if (round % 5 == 0) town.change();
     const PathQuery query = town.query(std::array{1.0, 2.0, 4.0, 8.0}[town.random.below(4)], kAlgorithms[round % 3]);
     town.world.find_path(query, context, path).value();
