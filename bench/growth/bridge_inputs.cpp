@@ -100,6 +100,17 @@ Scene border(std::size_t n) {
   return scene;
 }
 
+/// A room of n walls on an ellipse.
+Scene room(std::size_t n) {
+  Scene scene{{{-1100, -1100}, {1100, 1100}}, {}, {}};
+  const std::vector<Point> corners = circle(1000, n);
+  const auto flat = [](const Point& p) { return Point{p.x, p.y / 2}; };
+  for (std::size_t i = 0; i < n; ++i) {
+    scene.shapes.push_back(Shape::segment(flat(corners[i]), flat(corners[(i + 1) % n])));
+  }
+  return scene;
+}
+
 World world_of(const Scene& scene, bool keeps_bridges = true) {
   World world = World::create(scene.domain, {.keep_bridges = keeps_bridges}).value();
   for (const Shape& shape : scene.fixed) static_cast<void>(world.insert(shape, ItemId{1'000'000'000}).value());
@@ -225,6 +236,15 @@ Scene wide_street(std::size_t n) {
   return scene;
 }
 
+/// Inserts a house in the middle of a room, and removes it.
+template <bool keeps_bridges>
+void house_in_a_room(std::size_t n, Meter& meter) {
+  World world = full_world_of(room(n), keeps_bridges);
+  meter.start();
+  for (std::size_t i = 0; i < kRepetitions; ++i) world.remove(world.insert(house(0, 0)).value()).value();
+  meter.stop();
+}
+
 #define WAYWRIGHT_BRIDGE_INPUTS(scene, size, what)                                                    \
   {#scene "_inserted", size, false, what ", inserted from one end to the other", inserted<scene>},    \
       {#scene "_shuffled", size, false, what ", inserted in random order", shuffled<scene>},          \
@@ -245,6 +265,11 @@ constexpr Input kInputs[] = {
     WAYWRIGHT_BRIDGE_INPUTS(comb, 1000, "bridges: n parallel walls that end on one line"),
     WAYWRIGHT_BRIDGE_INPUTS(contours, 2000, "bridges: n pieces of contour lines"),
     WAYWRIGHT_BRIDGE_INPUTS(border, 1000, "bridges: n houses on the border of the domain"),
+    {"room_at_once", 2000, false, "bridges: a room of n walls on an ellipse, inserted with `insert_all`",
+     at_once<room>},
+    {"house_in_a_room", 2000, true,
+     "bridges: a room of n walls on an ellipse, a house in its middle inserted and removed", house_in_a_room<true>},
+    {"house_in_a_room_without_bridges", 2000, true, "the same without bridges", house_in_a_room<false>},
     {"wide_street_toggled", 4000, true, "bridges: n houses in a row, one removed and inserted again",
      toggled<wide_street>},
     {"wide_street_toggled_without_bridges", 4000, true, "the same without bridges", toggled<wide_street, false>},

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -21,17 +23,30 @@ constexpr double kSquare = 64;         ///< the width of a square, which contain
 constexpr std::int64_t kReach = 16;    ///< the largest distance of the ends of a path, in squares, along each axis
 constexpr std::size_t kPathEvery = 8;  ///< rounds between two rounds with path queries
 
-/// A town: a grid of squares. Half of the squares contain a building, anywhere in its square.
+enum class Kind : std::uint8_t {
+  buildings,
+  points,  ///< few buildings and many points
+  discs,   ///< buildings, with bridges
+  street,  ///< one row of buildings beside free space, with bridges
+};
+
+/// A town: a grid of squares, or one row of squares. Half of the squares contain a building, anywhere in its square.
 class Town {
  public:
-  /// Makes a town with about `vertices` vertices: the corners of buildings or, if `are_points` is true, mostly points.
-  Town(std::size_t vertices, bool are_points)
+  /// Makes a town with about `vertices` vertices.
+  Town(std::size_t vertices, Kind kind)
       : random_(1),
-        row_length_(row_length_of(are_points ? vertices / 16 : vertices)),
-        ids_(row_length_ * row_length_),
+        row_length_(kind == Kind::street ? vertices / 3
+                                         : row_length_of(kind == Kind::points ? vertices / 16 : vertices)),
+        ids_(kind == Kind::street ? row_length_ : row_length_ * row_length_),
         corners_(ids_.size()) {
+    const bool are_points = kind == Kind::points;
+    const bool keeps_bridges = kind == Kind::discs || kind == Kind::street;
+    const double margin = keeps_bridges ? 2 * kSquare : 0;
     const double width = kSquare * static_cast<double>(row_length_);
-    world_ = World::create({{0, 0}, {width, width}}).value();
+    const double height = kSquare * static_cast<double>(ids_.size() / row_length_);
+    world_ =
+        World::create({{-margin, -margin}, {width + margin, height + margin}}, {.keep_bridges = keeps_bridges}).value();
     std::vector<Item> items;
     for (std::size_t square = 0; square < ids_.size(); ++square) free_.push_back(square);
     while (built_.size() < ids_.size() / 2) built_.push_back(take(free_));
@@ -117,7 +132,9 @@ class Town {
   }
   [[nodiscard]] Point anywhere() {
     const double width = kSquare * static_cast<double>(row_length_);
-    return {width * random_.unit(), width * random_.unit()};
+    const double height = kSquare * static_cast<double>(ids_.size() / row_length_);
+    const double x = width * random_.unit();
+    return {x, height * random_.unit()};
   }
   [[nodiscard]] Point position_in(std::size_t square) {
     return corner_of(square) + Point{kSquare * random_.unit(), kSquare * random_.unit()};
@@ -135,7 +152,7 @@ class Town {
                      static_cast<std::int64_t>(random_.below(2 * kReach + 1)) - kReach;
       const auto y = static_cast<std::int64_t>(start.y / kSquare) +
                      static_cast<std::int64_t>(random_.below(2 * kReach + 1)) - kReach;
-      if (x < 0 || y < 0 || x >= row_length || y >= row_length) continue;
+      if (x < 0 || y < 0 || x >= row_length || y >= static_cast<std::int64_t>(ids_.size()) / row_length) continue;
       const auto square = static_cast<std::size_t>(y * row_length + x);
       if (ids_[square].is_null()) return position_in(square);
     }
@@ -156,16 +173,18 @@ class Town {
 }  // namespace
 }  // namespace waywright::bench
 
-// usage: waywright_latency buildings|points VERTICES ROUNDS
+// usage: waywright_latency buildings|points|discs|street VERTICES ROUNDS
 // Prints the number of vertices, and then a line for each update or query: its name, its time in nanoseconds, and by
 // how many bytes it has changed the memory of the world and of its sectors.
 int main(int argc, char** argv) {
-  const std::string_view world = argc == 4 ? argv[1] : "";
-  if (world != "buildings" && world != "points") {
-    std::fputs("usage: waywright_latency buildings|points VERTICES ROUNDS\n", stderr);
+  constexpr std::array<std::string_view, 4> kNames = {"buildings", "points", "discs", "street"};
+  const auto* const name = std::find(kNames.begin(), kNames.end(), argc == 4 ? argv[1] : "");
+  if (name == kNames.end()) {
+    std::fputs("usage: waywright_latency buildings|points|discs|street VERTICES ROUNDS\n", stderr);
     return 2;
   }
-  waywright::bench::Town town(std::strtoull(argv[2], nullptr, 10), world == "points");
+  const auto kind = static_cast<waywright::bench::Kind>(name - kNames.begin());
+  waywright::bench::Town town(std::strtoull(argv[2], nullptr, 10), kind);
   const std::size_t rounds = std::strtoull(argv[3], nullptr, 10);
   std::printf("%zu\n", town.vertex_count());
   for (std::size_t i = 0; i < rounds; ++i) town.run_round(i);

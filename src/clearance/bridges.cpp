@@ -109,11 +109,10 @@ void Bridges::update(const Triangulation& triangulation, const mesh::TouchedFace
   loose_feet_.clear();
   loose_rows_.clear();
   for (const Face f : touched.faces()) clear_face(f);
-  drop_lost_feet(mesh);
-  move_rows(triangulation);
   if (tree_.is_built()) tree_.update(triangulation, touched);
   BridgeFinder finder(triangulation, scratch_, &tree_, limits_);
   keep_feet(triangulation, changed, finder);
+  move_rows(triangulation);
   find_in_touched(triangulation, changed, finder);
   find_beyond(triangulation, changed, finder);
   guard.keep();
@@ -158,13 +157,34 @@ void Bridges::clear_face(Face f) {
   }
 }
 
-/// Removes the loose feet whose bridges start at vertices that no longer exist.
-void Bridges::drop_lost_feet(const mesh::TriangleMesh& mesh) {
-  std::erase_if(loose_feet_, [&](std::uint32_t foot) {
-    if (!is_lost(mesh, feet_.foot(foot).from)) return false;
-    remove_foot(foot);
-    return true;
-  });
+exact::Gap Bridges::gap_of(const Triangulation& triangulation, std::uint32_t foot) const {
+  const Feet::Row& row = feet_.row(feet_.row_of(foot));
+  const Point& from = triangulation.triangulation().geometry().rounded(number(feet_.foot(foot).from));
+  return {from, row.line_from, row.line_to};
+}
+
+/// Returns whether the bridge surely exists now as before. If no changed wall touches its closed disc, the disc touches
+/// the same walls as before.
+bool Bridges::is_kept(const Triangulation& triangulation, const ChangedWalls& changed, const BridgeFinder& finder,
+                      std::uint32_t foot) const {
+  if (changed.are_all()) return false;
+  const exact::Gap gap = gap_of(triangulation, foot);
+  return !finder.may_touch(Disc::of_gap(gap.from, gap.a, gap.b), changed);
+}
+
+/// Collects the loose feet that stay in `kept_feet_`, and removes the others.
+void Bridges::keep_feet(const Triangulation& triangulation, const ChangedWalls& changed, const BridgeFinder& finder) {
+  kept_feet_.clear();
+  for (const std::uint32_t foot : loose_feet_) {
+    const Vertex from = feet_.foot(foot).from;
+    if (!is_lost(triangulation.topology(), from) && is_kept(triangulation, changed, finder, foot)) {
+      kept_feet_.push_back({from, foot});
+    } else {
+      remove_foot(foot);
+    }
+  }
+  std::sort(kept_feet_.begin(), kept_feet_.end(),
+            [](const KeptFoot& p, const KeptFoot& q) { return std::pair(p.from, p.foot) < std::pair(q.from, q.foot); });
 }
 
 /// Gives the loose rows to the walls that exist now. If the two ends of a wall have not changed, the wall has not
@@ -208,6 +228,9 @@ void Bridges::move_rows(const Triangulation& triangulation) {
     wall = last_wall;
     begin = end;
   }
+  std::erase_if(kept_feet_, [&](const KeptFoot& kept) {
+    return feet_.foot(kept.foot).corner == mesh::kNoHalfEdge;  // drop_tree() has removed it
+  });
 }
 
 void Bridges::put_row_on(const mesh::TriangleMesh& mesh, std::uint32_t row, HalfEdge wall) {
@@ -288,6 +311,7 @@ void Bridges::deal_out_feet(const Triangulation& triangulation, std::span<std::u
 
 /// Removes feet that lie on no wall any more, and looks again at their corners.
 void Bridges::drop_tree(std::uint32_t tree) {
+  if (tree == 0) return;
   feet_.free_tree(tree, [&](HalfEdge corner) {
     if (region_.touched().contains(mesh::face(corner))) return;
     write_corner(corner, corners_[number(corner)] & kIsBridge);
@@ -295,39 +319,10 @@ void Bridges::drop_tree(std::uint32_t tree) {
   });
 }
 
-exact::Gap Bridges::gap_of(const Triangulation& triangulation, std::uint32_t foot) const {
-  const Feet::Row& row = feet_.row(feet_.row_of(foot));
-  const Point& from = triangulation.triangulation().geometry().rounded(number(feet_.foot(foot).from));
-  return {from, row.line_from, row.line_to};
-}
-
-/// Returns whether the bridge surely exists now as before. If no changed wall touches its closed disc, the disc touches
-/// the same walls as before.
-bool Bridges::is_kept(const Triangulation& triangulation, const ChangedWalls& changed, const BridgeFinder& finder,
-                      std::uint32_t foot) const {
-  if (changed.are_all()) return false;
-  const exact::Gap gap = gap_of(triangulation, foot);
-  return !finder.may_touch(Disc::of_gap(gap.from, gap.a, gap.b), changed);
-}
-
-/// Collects the loose feet that stay in `kept_feet_`, and removes the others.
-void Bridges::keep_feet(const Triangulation& triangulation, const ChangedWalls& changed, const BridgeFinder& finder) {
-  kept_feet_.clear();
-  for (const std::uint32_t foot : loose_feet_) {
-    if (feet_.foot(foot).corner == mesh::kNoHalfEdge) continue;  // drop_tree() has removed it
-    if (is_kept(triangulation, changed, finder, foot)) {
-      kept_feet_.push_back({feet_.foot(foot).from, foot});
-    } else {
-      remove_foot(foot);
-    }
-  }
-  std::sort(kept_feet_.begin(), kept_feet_.end(),
-            [](const KeptFoot& p, const KeptFoot& q) { return std::pair(p.from, p.foot) < std::pair(q.from, q.foot); });
-}
-
 /// Gives the corner the kept foot whose bridge runs into its face, if there is one.
 void Bridges::adopt(const Triangulation& triangulation, const BridgeFinder& finder, HalfEdge corner) {
   const Vertex from = triangulation.topology().origin(corner);
+  if (from < kept_feet_.front().from || kept_feet_.back().from < from) return;
   auto at = std::lower_bound(kept_feet_.begin(), kept_feet_.end(), from,
                              [](const KeptFoot& kept, Vertex v) { return kept.from < v; });
   for (; at != kept_feet_.end() && at->from == from; ++at) {
@@ -351,7 +346,9 @@ void Bridges::find_in_touched(const Triangulation& triangulation, const ChangedW
     acute_[number(f)] = kNotInDomain;
     if (!is_in_domain(f)) continue;
     note_angles(finder, f);
-    for_each_corner_with_foot(f, [&](HalfEdge corner) { adopt(triangulation, finder, corner); });
+    if (!kept_feet_.empty()) {
+      for_each_corner_with_foot(f, [&](HalfEdge corner) { adopt(triangulation, finder, corner); });
+    }
   }
   for (const Face f : region_.touched().faces()) {
     if (acute_[number(f)] == kNotInDomain) continue;

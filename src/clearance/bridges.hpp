@@ -135,7 +135,6 @@ class Bridges {
     return !mesh.is_live(v) || is_made_[number(v)];
   }
   void clear_face(mesh::Face f);
-  void drop_lost_feet(const mesh::TriangleMesh& mesh);
   void move_rows(const Triangulation& triangulation);
   void put_row_on(const mesh::TriangleMesh& mesh, std::uint32_t row, mesh::HalfEdge wall);
   void collect_new_walls(const Triangulation& triangulation);

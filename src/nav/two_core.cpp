@@ -56,8 +56,8 @@ TwoCore::Surroundings TwoCore::join_all(const mesh::TriangleMesh& mesh, std::spa
   return around;
 }
 
-void TwoCore::finish_update(const mesh::TriangleMesh& mesh, std::span<const Face> new_faces,
-                            const Surroundings& around, bool hangs_on_one) {
+void TwoCore::finish_update(const mesh::TriangleMesh& mesh, std::span<const Face> new_faces, const Surroundings& around,
+                            bool hangs_on_one) {
   to_peel_.assign(new_faces.begin(), new_faces.end());
   if (hangs_on_one) peel(mesh);
   if (around.trees > 0) climb_trees(mesh, new_faces);
