@@ -4,7 +4,7 @@ and esbuild.
 
 usage: make_wasm_package.py
 
-Writes the package to bindings/wasm/dist. Exits 1 if a step fails, or if the package is larger than 500 kB when it is
+Writes the package to bindings/wasm/dist. Exits 1 if a step fails, or if the package is larger than 550 kB when it is
 compressed. WAYWRIGHT_JOBS limits how many compilers run at once.
 """
 
@@ -17,7 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = ROOT / "bindings" / "wasm"
 BUILD = ROOT / "build" / "wasm"
-LARGEST = 500_000
+LARGEST = 550_000
 # The only folders of this machine's headers that the module may use. The rest of /usr/include describes another machine.
 HEADERS = ["boost", "fast_float", "fmt"]
 

@@ -12,10 +12,10 @@ const main = JSON.stringify(new URL('../../bindings/wasm/dist/index.js', import.
 const wasm = readFileSync(join(dist, 'waywright.wasm'));
 const runs = (program) => execFileSync(process.execPath, ['--input-type=module', '-e', program], { encoding: 'utf8' }).trim();
 
-test('at most 500 kB, compressed', () => {
+test('at most 550 kB, compressed', () => {
   const files = readdirSync(dist, { recursive: true }).filter((name) => /\.(js|wasm)$/.test(name));
   const sizes = files.map((name) => gzipSync(readFileSync(join(dist, name)), { level: 9 }).length);
-  assert.ok(sizes.reduce((sum, size) => sum + size, 0) <= 500_000, sizes.join(' + '));
+  assert.ok(sizes.reduce((sum, size) => sum + size, 0) <= 550_000, sizes.join(' + '));
 });
 
 test('the module imports only what the package gives it', async () => {
