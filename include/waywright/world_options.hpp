@@ -28,7 +28,7 @@ struct WorldOptions {
   /// say how wide the gaps are, for discs of any radius. World::bridges, World::widest_path and path queries with a
   /// radius above 0 need them, and World::would_disconnect and World::nearest_fit with a goal need them for such a
   /// radius. An operation then takes about twice as long, because it also updates the bridges near its
-  /// changes. A world takes about 60 bytes more for each vertex. If an item is a point or has a ring with only one
+  /// changes. A world takes about 110 bytes more for each vertex. If an item is a point or has a ring with only one
   /// corner, the world also keeps a second mesh, which contains only the walls, and each operation changes both meshes.
   /// World::shrink_to_fit() drops the second mesh if no item needs it any more. The first such item
   /// costs as much as a new world, because the world then makes the second mesh.
