@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/compiler.hpp"
-
 namespace waywright::clearance {
 
 using exact::Gap;
@@ -42,16 +40,6 @@ bool BridgeFinder::may_disc_meet(HalfEdge h, HalfEdge border) const {
   if (u == p || u == q) return !is_not_acute(v, u, u == p ? q : p);
   if (v == p || v == q) return !is_not_acute(u, v, v == p ? q : p);
   return may_touch(disc_of(h), border);
-}
-
-/// Returns false only if the edge from `p` to `q` contains no position of the closed disc, except an end of the
-/// candidate. An edge at an end of the candidate contains a position strictly inside the disc, or no position of the
-/// disc except the end.
-WAYWRIGHT_ALWAYS_INLINE bool BridgeFinder::may_enter(const Candidate& candidate, const NearVertex& p,
-                                                     const NearVertex& q) const {
-  if (p.is_end) return candidate.may_enter_from(p.vertex, position_of(q.vertex), rounding_);
-  if (q.is_end) return candidate.may_enter_from(q.vertex, position_of(p.vertex), rounding_);
-  return may_touch(candidate, p, q);
 }
 
 /// Returns whether no wall in the face of `entry`, and in the faces to which the search continues from there, touches

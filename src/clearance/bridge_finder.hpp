@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/compiler.hpp"
 #include "clearance/changed_walls.hpp"
 #include "clearance/diameter.hpp"
 #include "clearance/disc.hpp"
@@ -148,6 +149,7 @@ class BridgeFinder {
   /// Returns whether the free edge of `h` is a bridge. Requires: `h` and its twin belong to faces of the domain.
   [[nodiscard]] bool is_bridge(mesh::HalfEdge h);
   /// Looks for the bridge that starts at the origin of `corner`, runs into the face of `corner` and ends inside a wall.
+  /// Requires: corners_with_foot() has the corner.
   /// Returns the wall, as a half-edge that has the bridge on its left; kNoHalfEdge if there is no such bridge; or
   /// kTooFar after SearchLimits::edges edges. Then one of the next two functions finds the wall.
   [[nodiscard]] mesh::HalfEdge find_wall(mesh::HalfEdge corner);
@@ -298,7 +300,15 @@ class BridgeFinder {
     const bool is_far = (is_between & is_line_far) | (!is_between & are_ends_far);
     return !is_far;
   }
-  [[nodiscard]] bool may_enter(const Candidate& candidate, const NearVertex& p, const NearVertex& q) const;
+  /// Returns false only if the edge from `p` to `q` contains no position of the closed disc, except an end of the
+  /// candidate. An edge at an end of the candidate contains a position strictly inside the disc, or no position of the
+  /// disc except the end.
+  [[nodiscard]] WAYWRIGHT_ALWAYS_INLINE bool may_enter(const Candidate& candidate, const NearVertex& p,
+                                                       const NearVertex& q) const {
+    if (p.is_end) return candidate.may_enter_from(p.vertex, position_of(q.vertex), rounding_);
+    if (q.is_end) return candidate.may_enter_from(q.vertex, position_of(p.vertex), rounding_);
+    return may_touch(candidate, p, q);
+  }
   [[nodiscard]] bool is_clear_beyond(const Candidate& candidate, mesh::HalfEdge entry);
   /// Returns whether the angle at `v` between `p` and `q` is surely at least 90 degrees.
   [[nodiscard]] bool is_not_acute(mesh::Vertex p, mesh::Vertex v, mesh::Vertex q) const {

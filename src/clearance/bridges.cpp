@@ -396,6 +396,9 @@ bool Bridges::may_be_bridge(HalfEdge h, HalfEdge twin) const {
 void Bridges::find_beyond(const Triangulation& triangulation, const ChangedWalls& changed, BridgeFinder& finder) {
   region_.collect_beyond(changed, finder, scratch_);
   for (const HalfEdge corner : region_.corners()) {
+    const Face f = mesh::face(corner);
+    const unsigned corners = BridgeFinder::corners_with_foot(finder.acute_angles(f));
+    if ((corners >> mesh::index_in(f, corner) & 1) == 0) continue;  // no bridge starts there, before and after
     const std::uint32_t foot = foot_at(corner);
     if (foot != kNone && is_kept(triangulation, changed, finder, foot)) continue;
     find_at_corner(triangulation, finder, corner);

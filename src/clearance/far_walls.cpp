@@ -82,7 +82,9 @@ bool BridgeFinder::is_clear_of_all_walls(const Candidate& candidate, const Chang
   const auto is_ignored = [&](HalfEdge wall) {
     return ignored != nullptr && ignored->is_any([&](const Box& box) { return may_overlap(box, wall); });
   };
-  return tree_->for_each_in(bounds, [&](HalfEdge wall) { return is_ignored(wall) || !may_be_blocked(wall); });
+  return tree_->for_each_in(
+      bounds, [&](const Box& box) { return may_touch(disc, box); },
+      [&](HalfEdge wall) { return is_ignored(wall) || !may_be_blocked(wall); });
 }
 
 HalfEdge BridgeFinder::find_far_wall(HalfEdge corner) {
@@ -96,6 +98,7 @@ HalfEdge BridgeFinder::find_far_wall(HalfEdge corner) {
 }
 
 bool BridgeFinder::is_far_wall(HalfEdge corner, HalfEdge wall) {
+  if (wall_facing(wall, mesh_.origin(corner)) != wall) return false;
   const Gap gap = gap_to_wall(corner, wall);
   return has_foot_on(gap, corner, wall) &&
          is_clear_of_all_walls(candidate_of(gap, mesh_.origin(corner), mesh::kNoVertex), nullptr);

@@ -53,9 +53,10 @@ class WallTree {
   /// Undoes all changes since begin(), also a build(). Allocates nothing.
   void roll_back();
 
-  /// Calls visit(wall) for each wall whose box overlaps `box`. If visit() returns false, stops and returns false.
-  template <class Visit>
-  bool for_each_in(const Box& box, Visit&& visit) const {
+  /// Calls visit(wall) for each wall whose box overlaps `box`, but leaves out some walls in a box for which meets(box) is
+  /// false. If visit() returns false, stops and returns false.
+  template <class Meets, class Visit>
+  bool for_each_in(const Box& box, Meets&& meets, Visit&& visit) const {
     std::array<std::uint32_t, kLargestHeight + 2> stack;
     for (const Tree& tree : trees_) {
       std::size_t count = 0;
@@ -66,6 +67,8 @@ class WallTree {
       push(tree.root);
       while (count > 0) {
         const Node& node = nodes_[stack[--count]];
+        // The test of a wall takes about as long as that of a box.
+        if (node.height() > 1 && !meets(node.box)) continue;
         if (node.is_leaf()) {
           if (!visit(node.wall())) return false;
           continue;

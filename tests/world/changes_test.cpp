@@ -10,6 +10,7 @@
 #include "waywright/script.hpp"
 #include "waywright/world.hpp"
 
+#include "support/bridges_check.hpp"
 #include "support/changes_check.hpp"
 #include "support/random_changes.hpp"
 
@@ -47,6 +48,17 @@ TEST_P(HardScript, IsRightAfterEveryStep) {
   for (const Step& step : changes.steps) batch.changes.push_back(step.changes.front());
   const ChangesReport together = check_changes({changes.domain, {batch}}, 1);
   EXPECT_FALSE(together.fault) << *together.fault;
+}
+
+// With different seeds, the bridges are found with and without the tree of walls.
+TEST_P(HardScript, KeepsTheBridgesOfARebuild) {
+  std::ifstream file(scripts_folder() / (GetParam() + ".wws"), std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const ChangeScript changes = changes_of(parse_script(text, GetParam()).value());
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    const BridgesReport report = check_bridges(changes, seed);
+    EXPECT_FALSE(report.fault) << *report.fault << ", seed " << seed;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scripts, HardScript, ::testing::ValuesIn(script_names()),
