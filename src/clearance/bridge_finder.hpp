@@ -29,8 +29,9 @@ class SearchRegion {
   void clip(const Point& normal, double limit, double error);
   /// A box that contains the polygon.
   [[nodiscard]] const Box& bounds() const { return bounds_; }
-  /// Returns false only if the region surely does not contain the position.
-  [[nodiscard]] bool may_contain(const Point& z) const;
+  /// Returns false only if the region surely does not contain the position. Each coordinate of `z` may be wrong by
+  /// `error`.
+  [[nodiscard]] bool may_contain(const Point& z, double error) const;
 
   void count_memory(MemoryUse& use) const { memory::count_spare(use, corners_, clipped_, half_planes_); }
 
@@ -53,6 +54,7 @@ struct FarEnd {
   mesh::HalfEdge wall;  ///< one of the two half-edges
   mesh::Vertex vertex;  ///< kNoVertex for a foot
   Point position;       ///< relative to the start
+  double error;         ///< bounds the error of each coordinate of `position`
 };
 
 /// A search from face to face goes on in the tree of walls when it has come this far. As long as there is no tree, the
@@ -161,9 +163,10 @@ class BridgeFinder {
   /// Returns whether the foot of the gap lies strictly inside `wall`, and the gap runs from the origin of `corner` into
   /// its face. Requires: `wall` has the origin of `corner` on its left, and no wall crosses the gap.
   [[nodiscard]] bool has_foot_on(const exact::Gap& gap, mesh::HalfEdge corner, mesh::HalfEdge wall) const;
-  /// Calls on_edge(h) or on_corner(h) for each bridge that starts at `w`, exists before or after the operation, and
-  /// whose disc touches a changed wall; and for some that do not exist. Requires: there are boxes of changed walls
-  /// (ChangedWalls::are_all() is false).
+  /// Calls on_edge(h) or on_corner(h) for each bridge that starts at `w`, exists before or after the operation, ends on
+  /// a wall that exists now, and whose disc touches a changed wall; and for some that do not exist. Requires: there are
+  /// boxes of changed walls (ChangedWalls::are_all() is false). Cost: a search in the tree, one more for each position
+  /// that is left, and for each foot among them the edges of `w`.
   template <class OnEdge, class OnCorner>
   void find_far_bridges(mesh::Vertex w, const ChangedWalls& changed, OnEdge&& on_edge, OnCorner&& on_corner) {
     find_far_ends(w, mesh::kNoHalfEdge, &changed);

@@ -496,8 +496,13 @@ std::optional<std::string> Bridges::find_fault(const Triangulation& triangulatio
       if (corner_of(p) != rebuilt.corner_of(q)) return fault_at("the order of the feet", i);
     }
     if (p != q) return fault_at("the number of feet", i);
-    const bool has_row = number(h) < walls_.size() && walls_[i] != 0;
-    if (has_row && feet_.row(walls_[i] - 1).wall != h) return fault_at("the row", i);
+    const std::uint32_t foot = foot_at(h);
+    const mesh::TriangleMesh& mesh = triangulation.topology();
+    if (foot != kNone && (corner_of(foot) != h || feet_.foot(foot).from != mesh.origin(h)))
+      return fault_at("the foot", i);
+    if (number(h) >= walls_.size() || walls_[i] == 0) continue;
+    const Feet::Row& row = feet_.row(walls_[i] - 1);
+    if (row.wall != h || row.from != mesh.origin(h) || row.to != mesh.target(h)) return fault_at("the row", i);
   }
   if (!feet_.is_valid()) return "the trees of the feet are wrong";
   return tree_.find_fault(triangulation);

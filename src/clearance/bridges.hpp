@@ -41,7 +41,7 @@ namespace waywright::clearance {
 /// Searches go from face to face. If this takes too long, because many corners face one long wall, they use a tree of
 /// the walls (WallTree).
 ///
-/// Memory: eight bytes per half-edge, 20 per foot bridge, 56 per wall with a foot, and if the tree exists about 100 per
+/// Memory: eight bytes per half-edge, 20 per foot bridge, 48 per wall with a foot, and if the tree exists about 100 per
 /// wall and four per half-edge.
 ///
 /// Requires: each vertex of the mesh is the end of a wall.

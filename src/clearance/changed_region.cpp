@@ -46,6 +46,10 @@ using mesh::HalfEdge;
 //    q a position of this edge near w. The face beyond `border` is the first face of the search. The disc whose
 //    diameter is `border` contains t, as in 2, and the search continues around w as in 2.
 //
+// At a vertex with many edges, 2 and 3 need not go around: BridgeFinder::find_far_bridges() finds the bridges of the
+// vertex whose discs touch changed walls. It does not find old bridges that ended on walls that have gone: Bridges
+// drops their feet and looks at their corners.
+//
 // So the search notes all corners of each face whose circle may touch the box of a changed item, each edge whose disc
 // may meet `border` and touch such a box, and the corners and edges that it passes when it goes around an end of an
 // edge. Let r be the radius of the circle of a face, and 2 s the length of one of its edges. The disc of this edge lies

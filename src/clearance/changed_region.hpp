@@ -26,7 +26,7 @@ class ChangedRegion {
   /// Adds a free edge between a touched face of the domain and a face that is not touched: the half-edge of the touched
   /// face.
   void add_border(mesh::HalfEdge h) { border_.push_back(h); }
-  /// Adds a corner of a face that is not touched.
+  /// Adds a corner.
   void add_corner(mesh::HalfEdge corner);
   /// Collects the corners and edges of other faces whose bridges may have appeared or vanished because of the changed
   /// walls. Cost: a search beyond each edge on the border of R. Requires: add_border() was called for each of these

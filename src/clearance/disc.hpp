@@ -111,7 +111,7 @@ struct Disc {
   /// is at least 1.
   [[nodiscard]] Disc scaled(double factor) const {
     const double larger = radius * factor * (1.0 + kUnit);
-    return {origin, centre, larger, error, larger * larger};
+    return {origin, centre, larger, error, (factor * factor - 1.0) * radius * radius * (1.0 + kUnit)};
   }
   /// Returns false only if the segment from `origin` to `p` contains no position strictly inside the exact disc: then
   /// the angle between the segment and the radius to `origin` is at least 90 degrees. Requires: the exact circle

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "clearance/bridge_finder.hpp"
 #include "clearance/wall_line.hpp"
@@ -61,11 +60,13 @@ void SearchRegion::clip(const Point& normal, double limit, double error) {
   }
 }
 
-bool SearchRegion::may_contain(const Point& z) const {
-  const double rounding = kUnit * extent_of(z);
-  if (!Box{bounds_.min - Point{rounding, rounding}, bounds_.max + Point{rounding, rounding}}.contains(z)) return false;
+bool SearchRegion::may_contain(const Point& z, double error) const {
+  const double extent = extent_of(z);
+  const double slack = kUnit * extent + error;
+  if (!Box{bounds_.min - Point{slack, slack}, bounds_.max + Point{slack, slack}}.contains(z)) return false;
   return std::none_of(half_planes_.begin(), half_planes_.end(), [&](const HalfPlane& half_plane) {
-    return half_plane.excess(z) > half_plane.error * extent_of(z);
+    const double of_normal = half_plane.error * (extent + 2.0 * error);
+    return half_plane.excess(z) > of_normal + error * extent_of(half_plane.normal);
   });
 }
 
@@ -150,7 +151,7 @@ void BridgeFinder::find_far_ends(Vertex w, HalfEdge corner, const ChangedWalls* 
     offer_far_wall(w, wall, is_ignored);
     take_bounds();
   });
-  std::erase_if(scratch_.far_ends, [&](const FarEnd& end) { return !region.may_contain(end.position); });
+  std::erase_if(scratch_.far_ends, [&](const FarEnd& end) { return !region.may_contain(end.position, end.error); });
 }
 
 /// Excludes the positions z with z . p > p^2 from the region of the search.
@@ -178,7 +179,7 @@ void BridgeFinder::offer_far_wall(Vertex w, HalfEdge wall, bool is_ignored) {
   const double extent = extent_of(p) + extent_of(q);
   const double slack = (kUnit * extent + 8.0 * rounding_) * (extent + 8.0 * rounding_);
   const auto offer = [&](Vertex end, const Point& position, double error, bool is_sure) {
-    if (scratch_.region.may_contain(position)) scratch_.far_ends.push_back({wall, end, position});
+    if (scratch_.region.may_contain(position, error)) scratch_.far_ends.push_back({wall, end, position, error});
     if (is_sure && !is_ignored) exclude_beyond(position, error);
   };
   if (at_p < slack && at_q > -slack) {

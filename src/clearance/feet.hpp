@@ -1,11 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "waywright/memory_use.hpp"
 #include "waywright/point.hpp"
 
-#include "memory/count.hpp"
 #include "memory/free_list.hpp"
 #include "memory/journaled_array.hpp"
 #include "mesh/index.hpp"

@@ -25,13 +25,12 @@ namespace waywright::clearance {
 /// face would cross very many edges. Most worlds never need them, so nobody builds them before the first such search;
 /// from then on, each operation updates them.
 ///
-///     trees_[t]   = {size, root}                           // a tree for walls of similar size, the longest walls
-///     first nodes_[i]   = {box, parent, left, right, wall} leaf_at_[h] = the leaf of the wall of h, + 1, or 0   // at
-///     one of the two half-edges of each wall
+///     trees_[t]   = {size, root}                        a tree for walls of similar size; the longest walls come first
+///     nodes_[i]   = {box, parent, left, right, wall}
+///     leaf_at_[h] = the leaf of the wall of h, + 1, or 0; at one of the two half-edges of each wall
 ///
-/// - The boxes of a tree with the size s are at least 4^s and less than 4^(s + 1) wide or high. So one long wall does
-/// not
-///   make the boxes above many short walls large.
+/// - The walls of one tree differ in size by a factor below 4. So one long wall does not make the boxes above many
+///   short walls large.
 /// - A leaf has the box of one wall (from the rounded positions of its ends), and `wall` is the half-edge with
 ///   leaf_at_[wall] == leaf + 1. Its members `left` and `right` are the ends of the wall.
 /// - The box of another node contains the boxes of its two children, whose heights differ by at most 1.
@@ -42,6 +41,7 @@ class WallTree {
  public:
   using Triangulation = constraint::ExactTriangulation;
 
+  /// The border of the domain always has walls, so a tree that is built is never empty.
   [[nodiscard]] bool is_built() const { return !trees_.empty(); }
   /// Builds the tree. Cost: n log n in the walls.
   void build(const Triangulation& triangulation);
@@ -53,8 +53,8 @@ class WallTree {
   /// Undoes all changes since begin(), also a build(). Allocates nothing.
   void roll_back();
 
-  /// Calls visit(wall) for each wall whose box overlaps `box`, but leaves out some walls in a box for which meets(box) is
-  /// false. If visit() returns false, stops and returns false.
+  /// Calls visit(wall) for each wall whose box overlaps `box`, but leaves out some walls in a box for which meets(box)
+  /// is false. If visit() returns false, stops and returns false.
   template <class Meets, class Visit>
   bool for_each_in(const Box& box, Meets&& meets, Visit&& visit) const {
     std::array<std::uint32_t, kLargestHeight + 2> stack;

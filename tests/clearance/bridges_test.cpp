@@ -1,6 +1,7 @@
 #include "clearance/bridges.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -221,6 +222,38 @@ TEST(RandomStreets, KeepTheBridgesOfARebuildAfterEveryChange) {
     if (seed % 8 != 0) continue;
     ASSERT_TRUE(walls.found() == expected_bridges(walls.walls())) << "seed " << seed;
   }
+}
+
+// A corner stands nearly on the normal at the end of a long slanted wall. Its foot lies strictly inside the wall, but
+// so near the end that the rounding of the foot, computed from the other end, is larger than this distance.
+TEST(FarWalls, HaveFeetNearTheirEnds) {
+  Random random(1);
+  std::size_t feet = 0;
+  for (int i = 0; i < 400; ++i) {
+    const double angle = 0.1 + 0.0013 * i;
+    const Point along{std::cos(angle), std::sin(angle)};
+    const Point end{70000.0 * along.x, 70000.0 * along.y};
+    const auto at = [&](double x, double height) {
+      return Point{end.x + x * along.x - height * along.y, end.y + x * along.y + height * along.x};
+    };
+    Walls walls({{-1000, -1000}, {100000, 100000}}, {1, 0, 1});
+    const bool is_reversed = i % 2 == 0;
+    walls.insert(is_reversed ? Shape::segment(end, {0, 0}) : Shape::segment({0, 0}, end), ItemId{1});
+    for (std::uint64_t k = 0; k < 8; ++k) {
+      const double x = 2.0 + 3.0 * static_cast<double>(k);
+      walls.insert(Shape::segment(at(x, 6), at(x, 8)), ItemId{10 + k});
+    }
+    const Point corner = at(-1e-11 * static_cast<double>(1 + random.below(40)), 5);
+    walls.insert(Shape::segment(corner, at(-1, 9)), ItemId{2});
+    ASSERT_EQ(walls.bridges().find_fault(walls.mesh()), std::nullopt) << "case " << i;
+    for (std::uint32_t h = 0; h < 3 * walls.mesh().topology().face_slots(); ++h) {
+      if (!walls.mesh().topology().is_live(mesh::face(HalfEdge{h}))) continue;
+      const Point& from =
+          walls.mesh().triangulation().geometry().rounded(number(walls.mesh().topology().origin(HalfEdge{h})));
+      if (from == corner && walls.bridges().foot_at(HalfEdge{h}) != Bridges::kNone) ++feet;
+    }
+  }
+  EXPECT_GT(feet, 50U);
 }
 
 TEST_P(RandomScenes, HaveTheSameBridgesWithTheTree) {
