@@ -224,6 +224,37 @@ TEST(RandomStreets, KeepTheBridgesOfARebuildAfterEveryChange) {
   }
 }
 
+// Many short walls stand around the end of a long wall, each at an angle of its own, so the end is a vertex with many
+// edges. A segment comes and goes beside the bridges from there, with several edges between the segment and such a
+// bridge.
+TEST(Hubs, KeepTheBridgesOfARebuildAfterEveryChange) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Random random(seed);
+    Walls walls({{-2000, -2000}, {2000, 2000}},
+                seed % 2 == 0 ? clearance::SearchLimits{1, 0, 1} : clearance::SearchLimits{});
+    walls.insert(Shape::segment({-1000, 0}, {0, 0}), ItemId{1});
+    const auto at = [](double radius, double degrees) {
+      const double angle = degrees * 0.017453292519943295;
+      return Point{radius * std::cos(angle), radius * std::sin(angle)};
+    };
+    for (int k = -24; k <= 24; ++k) {
+      const double radius = 99.0 + static_cast<double>(random.below(3));
+      walls.insert(Shape::segment(at(radius, 3.0 * k), at(radius + 10, 3.0 * k)),
+                   ItemId{100U + static_cast<unsigned>(k)});
+    }
+    ASSERT_EQ(walls.bridges().find_fault(walls.mesh()), std::nullopt) << "seed " << seed;
+    for (int step = 0; step < 40; ++step) {
+      const double degrees = 0.001 * static_cast<double>(random.below(140001)) - 70.0;
+      const double radius = 30.0 + 0.001 * static_cast<double>(random.below(65001));
+      const Shape segment = Shape::segment(at(radius, degrees), at(radius + 1, degrees + 1));
+      walls.insert(segment, ItemId{2});
+      ASSERT_EQ(walls.bridges().find_fault(walls.mesh()), std::nullopt) << "seed " << seed << ", step " << step;
+      walls.remove(segment, ItemId{2});
+      ASSERT_EQ(walls.bridges().find_fault(walls.mesh()), std::nullopt) << "seed " << seed << ", step " << step;
+    }
+  }
+}
+
 // A corner stands nearly on the normal at the end of a long slanted wall. Its foot lies strictly inside the wall, but
 // so near the end that the rounding of the foot, computed from the other end, is larger than this distance.
 TEST(FarWalls, HaveFeetNearTheirEnds) {
