@@ -3,7 +3,7 @@
 
 usage: growth.py PROGRAM [--only TEXT] [--scale F] [--limit SECONDS] [--instructions] [--plot FILE]
 
-Runs each input of bench/growth/inputs.cpp with n, 2 n and 4 n, each in a process of its own, and prints a Markdown table:
+Runs each input of bench/growth with n, 2 n and 4 n, each in a process of its own, and prints a Markdown table:
 the processor time of the measured part, its exponent between the smallest and the largest size (1: linear), and the peak
 memory of the process with the largest size.
 

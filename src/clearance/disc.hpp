@@ -6,7 +6,6 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
-#include "clearance/distance_bounds.hpp"
 
 namespace waywright::clearance {
 

@@ -81,27 +81,19 @@ std::uint32_t Feet::join(std::uint32_t before, std::uint32_t after) {
   if (before == 0) return after;
   if (after == 0) return before;
   if (priority(before - 1) >= priority(after - 1)) {
-    set_right(before - 1, join(feet_[before - 1].right, after));
+    set_link(before - 1, &Foot::right, join(feet_[before - 1].right, after));
     return before;
   }
-  set_left(after - 1, join(before, feet_[after - 1].left));
+  set_link(after - 1, &Foot::left, join(before, feet_[after - 1].left));
   return after;
 }
 
-void Feet::set_left(std::uint32_t foot, std::uint32_t left) {
-  if (feet_[foot].left == left) return;
+void Feet::set_link(std::uint32_t foot, std::uint32_t Foot::*side, std::uint32_t tree) {
+  if (feet_[foot].*side == tree) return;
   Foot changed = feet_[foot];
-  changed.left = left;
+  changed.*side = tree;
   feet_.write(foot, changed);
-  set_parent(left, foot);
-}
-
-void Feet::set_right(std::uint32_t foot, std::uint32_t right) {
-  if (feet_[foot].right == right) return;
-  Foot changed = feet_[foot];
-  changed.right = right;
-  feet_.write(foot, changed);
-  set_parent(right, foot);
+  set_parent(tree, foot);
 }
 
 void Feet::set_parent(std::uint32_t tree, std::uint32_t parent) {
@@ -116,10 +108,8 @@ void Feet::set_child(std::uint32_t parent, bool is_left, std::uint32_t tree) {
     Row changed = rows_[parent & ~kIsRow];
     changed.root = tree - 1;
     rows_.write(parent & ~kIsRow, changed);
-  } else if (is_left) {
-    set_left(parent, tree);
   } else {
-    set_right(parent, tree);
+    set_link(parent, is_left ? &Foot::left : &Foot::right, tree);
   }
 }
 

@@ -116,11 +116,11 @@ class Feet {
     const std::uint32_t root = tree - 1;
     if (is_before(root)) {
       const Parts parts = split(feet_[root].right, is_before);
-      set_right(root, parts.before);
+      set_link(root, &Foot::right, parts.before);
       return {tree, parts.after};
     }
     const Parts parts = split(feet_[root].left, is_before);
-    set_left(root, parts.after);
+    set_link(root, &Foot::left, parts.after);
     return {parts.before, tree};
   }
   /// Joins two trees. Requires: all feet of the first come before all feet of the second.
@@ -158,8 +158,7 @@ class Feet {
   }
 
   [[nodiscard]] std::uint32_t leftmost(std::uint32_t foot) const;
-  void set_left(std::uint32_t foot, std::uint32_t left);
-  void set_right(std::uint32_t foot, std::uint32_t right);
+  void set_link(std::uint32_t foot, std::uint32_t Foot::*side, std::uint32_t tree);
   void set_parent(std::uint32_t tree, std::uint32_t parent);
   void set_child(std::uint32_t parent, bool is_left, std::uint32_t tree);
   void free_foot(std::uint32_t foot);
