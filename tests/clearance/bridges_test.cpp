@@ -255,6 +255,41 @@ TEST(Hubs, KeepTheBridgesOfARebuildAfterEveryChange) {
   }
 }
 
+// A bridge runs from the origin up to a wall, in a disc of the diameter 1000. To the right of this disc, short walls
+// form a chain such that the circles of the triangles at the origin grow towards the bridge. A wall that comes and goes
+// near the origin, in the disc, touches none of the last circles before the bridge. So only the edges at the origin
+// lead from this wall to the bridge. An inversion at the origin maps the chain to a concave curve below the line y = 1,
+// which is the image of the disc's circle.
+TEST(Hubs, LoseAndWinABridgeManyEdgesAway) {
+  const auto from_inverse = [](double x, double y) {
+    const double square = x * x + y * y;
+    const Point p{1000 * x / square, 1000 * y / square};
+    return Shape::segment(p, {p.x + 1, p.y});
+  };
+  for (const int count : {2, 4, 10, 40}) {
+    for (const clearance::SearchLimits& limits : {clearance::SearchLimits{}, clearance::SearchLimits{1, 0, 1}}) {
+      Walls walls({{-5000, -5000}, {5000, 5000}}, limits);
+      walls.insert(Shape::segment({-1000, 1000}, {500, 1000}), ItemId{1});
+      walls.insert(Shape::segment({0, -10}, {0, 0}), ItemId{2});
+      unsigned id = 10;
+      for (int i = 1; i <= count; ++i) {
+        const double x = 0.8 * i / count;
+        walls.insert(from_inverse(0.4 + x, 0.8 + 0.33 * x - 0.175 * x * x), ItemId{id++});
+      }
+      walls.insert(from_inverse(3, 0.98), ItemId{id++});
+      walls.insert(from_inverse(6, 0.8), ItemId{id++});
+      const Shape wall = from_inverse(5, 1.1);
+      for (int step = 0; step < 3; ++step) {
+        SCOPED_TRACE(std::to_string(count) + " walls in the chain, step " + std::to_string(step));
+        ASSERT_EQ(walls.bridges().find_fault(walls.mesh()), std::nullopt);
+        walls.insert(wall, ItemId{3});
+        ASSERT_EQ(walls.bridges().find_fault(walls.mesh()), std::nullopt);
+        walls.remove(wall, ItemId{3});
+      }
+    }
+  }
+}
+
 // A corner stands nearly on the normal at the end of a long slanted wall. Its foot lies strictly inside the wall, but
 // so near the end that the rounding of the foot, computed from the other end, is larger than this distance.
 TEST(FarWalls, HaveFeetNearTheirEnds) {

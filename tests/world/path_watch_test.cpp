@@ -472,7 +472,8 @@ void compare_with_questions_about_all_paths(Agents::Walls walls) {
   std::size_t named = 0;
   std::size_t asked = 0;
   std::size_t opened = 0;
-  for (std::uint64_t seed = 0; seed < std::max<std::uint64_t>(case_count() / 5, 2); ++seed) {
+  const std::uint64_t seeds = std::max<std::uint64_t>(case_count() / 5, 2);
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Agents agents(seed, 60, walls);
     agents.run(50);
@@ -485,7 +486,7 @@ void compare_with_questions_about_all_paths(Agents::Walls walls) {
   }
   EXPECT_GT(blocked, 100U);
   EXPECT_GT(shortened, 50U);
-  EXPECT_GT(opened, 5U);
+  EXPECT_GE(opened, seeds);
   EXPECT_LT(named, asked / 2) << "most paths are not near a change";
 }
 
