@@ -67,7 +67,7 @@ std::vector<KnownPath> queries_with_path(const World& world, const std::vector<K
   Path path;
   std::vector<KnownPath> found;
   for (const KnownPath& query : queries) {
-    const PathQuery of_disc{query.start, query.goal, radius, PathAlgorithm::tra};
+    const PathQuery of_disc{query.start, query.goal, {.radius = radius}, PathAlgorithm::tra};
     world.find_path(of_disc, context, path).value();
     if (path.status == PathStatus::found) found.push_back(query);
   }
@@ -80,7 +80,7 @@ double time_queries(const World& world, const std::vector<KnownPath>& queries, d
   Path path;
   const auto start = Clock::now();
   for (const KnownPath& query : queries) {
-    world.find_path({query.start, query.goal, radius, algorithm}, context, path).value();
+    world.find_path({query.start, query.goal, {.radius = radius}, algorithm}, context, path).value();
     benchmark::DoNotOptimize(path.length);
   }
   return microseconds_since(start);

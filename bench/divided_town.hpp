@@ -32,7 +32,8 @@ class DividedTown {
     for (std::size_t i = 0; i < count; ++i) {
       const bool starts_left = random_.below(2) == 0;
       const Point start = point(starts_left);
-      queries.push_back({.start = start, .goal = point(!starts_left), .radius = radius, .algorithm = algorithm});
+      queries.push_back(
+          {.start = start, .goal = point(!starts_left), .agent = {.radius = radius}, .algorithm = algorithm});
     }
     return queries;
   }

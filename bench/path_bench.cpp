@@ -64,7 +64,7 @@ struct PathTotals {
 };
 
 PathQuery query_between(const KnownPath& ends, const PathContender& contender) {
-  return {ends.start, ends.goal, contender.radius, contender.algorithm, contender.budget};
+  return {ends.start, ends.goal, {.radius = contender.radius}, contender.algorithm, contender.budget};
 }
 
 /// The timed loop repeats all queries until, by the times of the first pass, it takes this many microseconds. So
@@ -124,7 +124,7 @@ void time_square_paths(benchmark::State& state, std::size_t count, const PathCon
   const std::vector<Point> ends = free_points(workload, 2 * kQueries);
   std::vector<KnownPath> queries;
   const auto fits = [&](const Point& end) {
-    return contender.radius == 0.0 || world.fit_disc(end, contender.radius).value().fits;
+    return contender.radius == 0.0 || world.fit_disc(end, {.radius = contender.radius}).value().fits;
   };
   for (std::size_t i = 0; i < kQueries; ++i) {
     if (fits(ends[2 * i]) && fits(ends[2 * i + 1])) queries.push_back({ends[2 * i], ends[2 * i + 1], 0.0});

@@ -32,7 +32,7 @@ class Units {
   Units(const World& world, const std::vector<KnownPath>& queries, std::size_t count) : watch_(world) {
     for (std::size_t i = 0; i < count; ++i) {
       const KnownPath& query = queries[i * 7919 % queries.size()];
-      queries_.push_back({query.start, query.goal, 0.0, PathAlgorithm::tra});
+      queries_.push_back({query.start, query.goal, {}, PathAlgorithm::tra});
       paths_.push_back(world.find_path(queries_.back()).value());
       watch_.add(i, paths_.back());
     }

@@ -46,7 +46,7 @@ void print_pieces(const Path& path) {
 
 void print_paths(const World& world) {
   for (const double radius : {1.0, 2.5, 5.0, 9.0, 10.0}) {
-    const Path path = world.find_path({.start = kStart, .goal = kGoal, .radius = radius}).value();
+    const Path path = world.find_path({.start = kStart, .goal = kGoal, .agent = {.radius = radius}}).value();
     if (path.status == PathStatus::found) {
       std::printf("radius %g: length %.2f, %zu pieces\n", radius, path.length, path.pieces.size());
     } else if (path.widest) {
@@ -59,7 +59,7 @@ void print_paths(const World& world) {
 
 void print_fits(const World& world) {
   for (const double radius : {9.0, 9.5}) {
-    const DiscFit fit = world.fit_disc({62, 75}, radius).value();
+    const DiscFit fit = world.fit_disc({62, 75}, {.radius = radius}).value();
     std::printf("radius %g %s at (62, 75)", radius, fit.fits ? "fits" : "does not fit");
     for (const ItemId item : fit.items) std::printf(", stopped by item %u", static_cast<unsigned>(item.value));
     std::puts("");
@@ -78,7 +78,7 @@ int main() {
   World world = make_world();
   print_paths(world);
   std::puts("the pieces for radius 2.5:");
-  print_pieces(world.find_path({.start = kStart, .goal = kGoal, .radius = 2.5}).value());
+  print_pieces(world.find_path({.start = kStart, .goal = kGoal, .agent = {.radius = 2.5}}).value());
   print_fits(world);
   print_widest(world);
 }

@@ -325,7 +325,7 @@ bool Machine::needs_path(std::size_t i, std::uint64_t version_before) {
   // What lies behind the unit does not matter. The rest of its path was clear at the tick before.
   const auto rest = std::span(unit.path->points).subspan(unit.position.segment);
   if (options_.asks_is_affected && !world_.is_affected(rest, version_before)) return false;
-  const bool is_blocked = !world_.is_clear(rest, contexts_[0]).value();
+  const bool is_blocked = !world_.is_clear(rest, {}, contexts_[0]).value();
   counts_.blocked += is_blocked ? 1 : 0;
   return is_blocked;
 }

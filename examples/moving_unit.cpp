@@ -84,7 +84,7 @@ bool find_path_with_moved_ends(const World& world, QueryContext& context, Unit& 
 void return_to_path(const World& world, QueryContext& context, Unit& unit, const Point& pushed_to) {
   const PathPosition nearest = unit.path.nearest(pushed_to);
   unit.position.at = pushed_to;
-  if (world.is_clear(pushed_to, nearest.at, context).value()) {
+  if (world.is_clear(pushed_to, nearest.at, {}, context).value()) {
     unit.position = nearest;  // or let the unit walk there first
   } else {
     find_path(world, context, unit);
@@ -99,7 +99,7 @@ std::size_t find_new_paths(const World& world, QueryContext& context, std::span<
   for (Unit& unit : units) {
     if (!world.is_affected(unit.path.points, before)) continue;
     const auto rest = std::span(unit.path.points).subspan(unit.position.segment);
-    if (world.is_clear(rest, context).value()) continue;
+    if (world.is_clear(rest, {}, context).value()) continue;
     find_path(world, context, unit);
     ++count;
   }

@@ -115,7 +115,7 @@ class Game {
     for (Unit& unit : units_) {
       if (unit.path.points.empty()) continue;
       const auto ahead = std::span(unit.path.points).subspan(unit.position.segment);
-      if (!world_.is_affected(ahead, before) || world_.is_clear(ahead, context_).value()) continue;
+      if (!world_.is_affected(ahead, before) || world_.is_clear(ahead, {}, context_).value()) continue;
       find_path(unit);
       ++count;
     }

@@ -55,7 +55,8 @@ Game::Game(const Scene& scene, std::span<const double> radii, CrowdMode mode)
   for (std::size_t i = 0; i < kUnits; ++i) {
     const double radius = radii_[i * radii_.size() / kUnits];
     const Point start = fitting_position(radius);
-    queries_.push_back({.start = start, .goal = fitting_position(radius), .radius = radius, .algorithm = algorithm});
+    queries_.push_back(
+        {.start = start, .goal = fitting_position(radius), .agent = {.radius = radius}, .algorithm = algorithm});
   }
   world_.find_paths(queries_, contexts_, paths_).value();
 }
@@ -86,7 +87,7 @@ void Game::ask_in_turn(std::uint64_t since, Tick& tick) {
   for (const double radius : radii_) {
     std::size_t searches = 0;
     tick.path_seconds.push_back(seconds_of([&] {
-      for (; unit < kUnits && queries_[unit].radius == radius; ++unit) {
+      for (; unit < kUnits && queries_[unit].agent.radius == radius; ++unit) {
         if (mode_ == CrowdMode::affected && !must_ask(paths_[unit], since)) continue;
         world_.find_path(queries_[unit], contexts_.front(), paths_[unit]).value();
         ++searches;
@@ -112,7 +113,7 @@ void Game::add_building(std::vector<Change>& changes) {
 bool Game::meets_unit(const Point& centre, double radius) const {
   return std::any_of(queries_.begin(), queries_.end(), [&](const PathQuery& unit) {
     const Point offset = {unit.start.x - centre.x, unit.start.y - centre.y};
-    const double reach = radius + unit.radius;
+    const double reach = radius + unit.agent.radius;
     return offset.x * offset.x + offset.y * offset.y < reach * reach;
   });
 }
@@ -127,7 +128,7 @@ Point Game::fitting_position(double radius) {
 }
 
 bool Game::fits(const Point& centre, double radius) {
-  world_.fit_disc(centre, radius, contexts_.front(), fit_).value();
+  world_.fit_disc(centre, {.radius = radius}, contexts_.front(), fit_).value();
   return fit_.fits;
 }
 
@@ -142,12 +143,12 @@ bool Game::is_right(std::size_t unit) {
   const Path& path = paths_[unit];
   switch (path.status) {
     case PathStatus::start_blocked:
-      return !fits(query.start, query.radius);
+      return !fits(query.start, query.agent.radius);
     case PathStatus::goal_blocked:
-      return !fits(query.goal, query.radius);
+      return !fits(query.goal, query.agent.radius);
     case PathStatus::no_path:
-      world_.widest_path(query.start, query.goal, contexts_.front(), widest_).value();
-      return !widest_.is_connected || widest_.radius < query.radius;
+      world_.widest_path(query.start, query.goal, {}, contexts_.front(), widest_).value();
+      return !widest_.is_connected || widest_.radius < query.agent.radius;
     case PathStatus::found:
       break;
   }
@@ -155,7 +156,7 @@ bool Game::is_right(std::size_t unit) {
   constexpr std::size_t kPositions = 64;
   for (std::size_t i = 0; i <= kPositions; ++i) {
     const double distance = path.length * static_cast<double>(i) / static_cast<double>(kPositions);
-    if (!fits(path.at(distance).at, query.radius * kShrink)) return false;
+    if (!fits(path.at(distance).at, query.agent.radius * kShrink)) return false;
   }
   return true;
 }

@@ -402,7 +402,7 @@ void fit_outside_a_room(std::size_t n, Meter& meter) {
   static_cast<void>(world.insert(Shape::polyline(room)).value());
   const double radius = 1000.0 / static_cast<double>(n);
   meter.start();
-  static_cast<void>(world.nearest_fit({.point = {0, 0}, .radius = radius, .goal = Point{500, 0}}).value());
+  static_cast<void>(world.nearest_fit({.point = {0, 0}, .agent = {.radius = radius}, .goal = Point{500, 0}}).value());
   meter.stop();
 }
 
@@ -425,7 +425,7 @@ void sweep_beside_points(std::size_t n, Meter& meter) {
   for (std::size_t i = 0; i < n; ++i) points.push_back({-95.0 + 20.0 * random.unit(), -95.0 + 20.0 * random.unit()});
   static_cast<void>(world.insert_points(points).value());
   meter.start();
-  for (std::size_t i = 0; i < kRepetitions; ++i) static_cast<void>(world.sweep_disc({0, 0}, {1, 0}, 100).value());
+  for (std::size_t i = 0; i < kRepetitions; ++i) static_cast<void>(world.ray({0, 0}, {1, 0}, {.radius = 100}).value());
   meter.stop();
 }
 

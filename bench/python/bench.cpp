@@ -63,11 +63,11 @@ void measure_queries(const World& world, const std::vector<Point>& starts, const
   });
   RayHit hit;
   measure("ray single", kRounds, [&] {
-    for (std::size_t i = 0; i < starts.size(); ++i) world.ray(starts[i], goals[i], hit).value();
+    for (std::size_t i = 0; i < starts.size(); ++i) world.ray(starts[i], goals[i], {}, contexts.front(), hit).value();
   });
   DiscFit fit;
   measure("fit_disc single", kRounds, [&] {
-    for (const Point& start : starts) world.fit_disc(start, 0.5, contexts.front(), fit).value();
+    for (const Point& start : starts) world.fit_disc(start, {.radius = 0.5}, contexts.front(), fit).value();
   });
 }
 

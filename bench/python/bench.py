@@ -68,9 +68,11 @@ def times_of_python(data):
         for start, goal in pairs:
             world.ray(start, goal)
 
+    disc = waywright.Agent(radius=0.5)
+
     def discs():
         for start in start_pairs:
-            world.fit_disc(start, 0.5)
+            world.fit_disc(start, disc)
 
     return {
         "load points": best(lambda: load_points(data["points"])),
@@ -109,7 +111,7 @@ def measure_cluster(map_file, count):
     generator = np.random.default_rng(2)
     x0, y0, x1, y1 = world.domain
     ends = generator.uniform((x0, y0), (x1, y1), (40 * count, 2))
-    ends = ends[world.fit_discs(ends, 0.0)][: 2 * count]
+    ends = ends[world.fit_discs(ends, waywright.Agent())][: 2 * count]
     count = len(ends) // 2
     times = {}
     for workers in (1, 2):

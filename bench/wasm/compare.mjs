@@ -30,7 +30,7 @@ function findPaths(world, random, count, radius) {
   for (let i = 0; i < count; ++i) {
     const start = { x: SIZE * random.next(), y: SIZE * random.next() };
     const goal = { x: SIZE * random.next(), y: SIZE * random.next() };
-    sum += world.findPath({ start, goal, radius }, path).length;
+    sum += world.findPath({ start, goal, agent: { radius } }, path).length;
   }
   path.dispose();
   return sum;

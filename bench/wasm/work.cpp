@@ -45,7 +45,7 @@ double find_paths(const World& world, Random& random, int count, double radius) 
   Path path;
   double sum = 0.0;
   for (int i = 0; i < count; ++i) {
-    PathQuery query{.start = {}, .goal = {}, .radius = radius};
+    PathQuery query{.start = {}, .goal = {}, .agent = {.radius = radius}};
     query.start.x = kSize * random.next();
     query.start.y = kSize * random.next();
     query.goal.x = kSize * random.next();

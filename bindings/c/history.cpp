@@ -39,12 +39,12 @@ ww_status ww_world_attempt(ww_world* world, const ww_change* changes, size_t cha
 }
 
 ww_status ww_world_would_disconnect(ww_world* world, const ww_change* changes, size_t change_count,
-                                    const ww_point* points, size_t point_count, double radius,
+                                    const ww_point* points, size_t point_count, const ww_agent* agent,
                                     ww_bool* would_disconnect) {
   return guarded([&] {
     ww_bool& out = answer(would_disconnect);
-    const Result<bool> found =
-        changing(world).would_disconnect(to_changes(changes, change_count), to_points(points, point_count), radius);
+    const Result<bool> found = changing(world).would_disconnect(to_changes(changes, change_count),
+                                                                to_points(points, point_count), to_cpp(agent));
     if (found.ok()) out = to_c(*found);
     return status_of(found);
   });

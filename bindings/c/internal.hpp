@@ -307,9 +307,13 @@ ww_status write_text(std::string_view text, char* buffer, std::size_t capacity, 
 
 inline Point to_cpp(const ww_point& point) { return {point.x, point.y}; }
 inline Box to_cpp(const ww_box& box) { return {to_cpp(box.min), to_cpp(box.max)}; }
+inline Agent to_cpp(const ww_agent& agent) { return {agent.radius}; }
+/// Reads an agent that may be null: then it is a point.
+inline Agent to_cpp(const ww_agent* agent) { return agent != nullptr ? to_cpp(*agent) : Agent{}; }
 inline ww_point to_c(const Point& point) { return {point.x, point.y}; }
 inline ww_box to_c(const Box& box) { return {to_c(box.min), to_c(box.max)}; }
 inline ww_portal to_c(const Portal& portal) { return {to_c(portal.left), to_c(portal.right)}; }
+inline ww_agent to_c(const Agent& agent) { return {agent.radius}; }
 inline ww_id to_c(ItemId id) { return id.value; }
 inline ww_bool to_c(bool value) { return value ? 1 : 0; }
 inline ww_items_hash to_c(const ItemsHash& hash) { return {{hash.words[0], hash.words[1]}}; }

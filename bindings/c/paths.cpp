@@ -12,7 +12,7 @@ constexpr ww_path_query kPathQuery{.struct_size = sizeof(ww_path_query),
                                    .algorithm = WW_ALGORITHM_OPTIMAL,
                                    .start = {},
                                    .goal = {},
-                                   .radius = 0.0,
+                                   .agent = {0.0},
                                    .end_tolerance = 0.0,
                                    .has_end_tolerance = 0,
                                    .wants_channel = 0,
@@ -38,7 +38,7 @@ ww_path_info info_of(const Path& path) {
   info.status = static_cast<ww_path_status>(path.status);
   info.length = path.length;
   info.lower_bound = path.lower_bound;
-  info.radius = path.radius;
+  info.agent = c::to_c(path.agent);
   info.expansions = path.expansions;
   info.nanoseconds = path.time.count();
   info.point_count = path.points.size();
@@ -67,7 +67,7 @@ const ww_path_query* query_at(const ww_path_query* queries, std::size_t i) {
 
 PathQuery to_query(const ww_path_query* query) {
   const ww_path_query given = read_struct(query, kPathQuery);
-  PathQuery wanted{.start = to_cpp(given.start), .goal = to_cpp(given.goal), .radius = given.radius};
+  PathQuery wanted{.start = to_cpp(given.start), .goal = to_cpp(given.goal), .agent = to_cpp(given.agent)};
   wanted.algorithm = to_enum(given.algorithm, PathAlgorithm::optimal);
   wanted.budget.expansions =
       static_cast<std::size_t>(std::min<std::uint64_t>(given.budget_expansions, PathBudget::kNoLimit));
@@ -123,7 +123,7 @@ ww_status ww_world_find_paths_from(const ww_world* world, const ww_many_goals_qu
   return guarded([&] {
     const ww_many_goals_query given = read_struct(query, {});
     ManyGoalsQuery wanted{.start = to_cpp(given.start), .goals = to_points(given.goals, given.goal_count)};
-    wanted.radius = given.radius;
+    wanted.agent = to_cpp(given.agent);
     wanted.wants_points = is_set(given.wants_points);
     if (is_set(given.has_end_tolerance)) wanted.end_tolerance = given.end_tolerance;
     return status_of(object(world).find_paths_from(wanted, object(context).query, object(paths)));

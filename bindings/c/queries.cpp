@@ -10,7 +10,7 @@ ww_widest_path to_c(const WidestPath& widest) {
 
 namespace {
 
-constexpr ww_nearest_fit_query kNearestFitQuery{sizeof(ww_nearest_fit_query),           0, {}, {}, 0.0,
+constexpr ww_nearest_fit_query kNearestFitQuery{sizeof(ww_nearest_fit_query),           0, {}, {}, {},
                                                 std::numeric_limits<double>::infinity()};
 
 ww_location to_c(const Location& location) {
@@ -72,39 +72,26 @@ ww_status ww_world_items_in(const ww_world* world, ww_box box, ww_context* conte
   });
 }
 
-ww_status ww_world_ray(const ww_world* world, ww_point from, ww_point to, ww_context* context, ww_ray_hit* hit,
-                       ww_id* items, size_t capacity, size_t* count) {
-  return guarded([&] {
-    const StructOut out(hit);
-    const ListOut<ww_id> list(items, capacity, count);
-    RayHit& kept = object(context).hit;
-    const Result<void> done = object(world).ray(to_cpp(from), to_cpp(to), kept);
-    if (!done.ok()) return fail(done.error());
-    out.write(c::to_c(kept));
-    return write_ids(kept.items, list);
-  });
-}
-
-ww_status ww_world_sweep_disc(const ww_world* world, ww_point from, ww_point to, double radius, ww_context* context,
-                              ww_ray_hit* hit, ww_id* items, size_t capacity, size_t* count) {
+ww_status ww_world_ray(const ww_world* world, ww_point from, ww_point to, const ww_agent* agent, ww_context* context,
+                       ww_ray_hit* hit, ww_id* items, size_t capacity, size_t* count) {
   return guarded([&] {
     const StructOut out(hit);
     const ListOut<ww_id> list(items, capacity, count);
     Context& kept = object(context);
-    const Result<void> done = object(world).sweep_disc(to_cpp(from), to_cpp(to), radius, kept.query, kept.hit);
+    const Result<void> done = object(world).ray(to_cpp(from), to_cpp(to), to_cpp(agent), kept.query, kept.hit);
     if (!done.ok()) return fail(done.error());
     out.write(c::to_c(kept.hit));
     return write_ids(kept.hit.items, list);
   });
 }
 
-ww_status ww_world_fit_disc(const ww_world* world, ww_point centre, double radius, ww_context* context, ww_bool* fits,
-                            ww_id* items, size_t capacity, size_t* count) {
+ww_status ww_world_fit_disc(const ww_world* world, ww_point centre, const ww_agent* agent, ww_context* context,
+                            ww_bool* fits, ww_id* items, size_t capacity, size_t* count) {
   return guarded([&] {
     ww_bool& out = answer(fits);
     const ListOut<ww_id> list(items, capacity, count);
     Context& kept = object(context);
-    const Result<void> done = object(world).fit_disc(to_cpp(centre), radius, kept.query, kept.fit);
+    const Result<void> done = object(world).fit_disc(to_cpp(centre), to_cpp(agent), kept.query, kept.fit);
     if (!done.ok()) return fail(done.error());
     out = c::to_c(kept.fit.fits);
     return write_ids(kept.fit.items, list);
@@ -120,7 +107,7 @@ ww_status ww_world_nearest_fit(const ww_world* world, const ww_nearest_fit_query
   return guarded([&] {
     const StructOut out(fit);
     const ww_nearest_fit_query given = read_struct(query, kNearestFitQuery);
-    NearestFitQuery wanted{.point = to_cpp(given.point), .radius = given.radius, .limit = given.limit};
+    NearestFitQuery wanted{.point = to_cpp(given.point), .agent = to_cpp(given.agent), .limit = given.limit};
     if (is_set(given.has_goal)) wanted.goal = to_cpp(given.goal);
     NearestFit found;
     const Result<void> done = object(world).nearest_fit(wanted, object(context).query, found);
@@ -130,15 +117,16 @@ ww_status ww_world_nearest_fit(const ww_world* world, const ww_nearest_fit_query
   });
 }
 
-ww_status ww_world_widest_path(const ww_world* world, ww_point start, ww_point goal, ww_context* context,
-                               ww_widest_path* widest, ww_id* from_items, size_t from_capacity, size_t* from_count,
-                               ww_id* to_items, size_t to_capacity, size_t* to_count) {
+ww_status ww_world_widest_path(const ww_world* world, ww_point start, ww_point goal, const ww_agent* agent,
+                               ww_context* context, ww_widest_path* widest, ww_id* from_items, size_t from_capacity,
+                               size_t* from_count, ww_id* to_items, size_t to_capacity, size_t* to_count) {
   return guarded([&] {
     const StructOut out(widest);
     const ListOut<ww_id> from_list(from_items, from_capacity, from_count);
     const ListOut<ww_id> to_list(to_items, to_capacity, to_count);
     Context& kept = object(context);
-    const Result<void> done = object(world).widest_path(to_cpp(start), to_cpp(goal), kept.query, kept.widest);
+    const Result<void> done =
+        object(world).widest_path(to_cpp(start), to_cpp(goal), to_cpp(agent), kept.query, kept.widest);
     if (!done.ok()) return fail(done.error());
     out.write(c::to_c(kept.widest));
     const ww_status from_status = write_ids(kept.widest.from_items, from_list);
@@ -164,31 +152,32 @@ ww_status ww_world_bridges(const ww_world* world, ww_box box, ww_context* contex
   });
 }
 
-ww_status ww_world_is_clear(const ww_world* world, const ww_point* points, size_t point_count, ww_context* context,
-                            ww_bool* is_clear) {
+ww_status ww_world_is_clear(const ww_world* world, const ww_point* points, size_t point_count, const ww_agent* agent,
+                            ww_context* context, ww_bool* is_clear) {
   return guarded([&] {
     ww_bool& out = answer(is_clear);
-    const Result<bool> done = object(world).is_clear(to_points(points, point_count), object(context).query);
+    const Result<bool> done =
+        object(world).is_clear(to_points(points, point_count), to_cpp(agent), object(context).query);
     if (done.ok()) out = c::to_c(*done);
     return status_of(done);
   });
 }
 
-ww_status ww_world_is_clear_between(const ww_world* world, ww_point from, ww_point to, ww_context* context,
-                                    ww_bool* is_clear) {
+ww_status ww_world_is_clear_between(const ww_world* world, ww_point from, ww_point to, const ww_agent* agent,
+                                    ww_context* context, ww_bool* is_clear) {
   return guarded([&] {
     ww_bool& out = answer(is_clear);
-    const Result<bool> done = object(world).is_clear(to_cpp(from), to_cpp(to), object(context).query);
+    const Result<bool> done = object(world).is_clear(to_cpp(from), to_cpp(to), to_cpp(agent), object(context).query);
     if (done.ok()) out = c::to_c(*done);
     return status_of(done);
   });
 }
 
-ww_status ww_world_is_affected(const ww_world* world, const ww_point* points, size_t point_count, uint64_t since,
-                               ww_bool* is_affected) {
+ww_status ww_world_is_affected(const ww_world* world, const ww_point* points, size_t point_count, const ww_agent* agent,
+                               uint64_t since, ww_bool* is_affected) {
   return guarded([&] {
     const PointSpan line = to_points(points, point_count);
-    answer(is_affected) = c::to_c(object(world).is_affected(std::span<const Point>(line), since));
+    answer(is_affected) = c::to_c(object(world).is_affected(std::span<const Point>(line), since, to_cpp(agent)));
     return WW_OK;
   });
 }

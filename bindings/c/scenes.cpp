@@ -131,7 +131,7 @@ ww_status ww_script_get_line(const ww_script* script, size_t index, ww_script_li
     result.id = given.item.id.value;
     result.from = to_c(given.from);
     result.to = to_c(given.to);
-    result.radius = given.radius;
+    result.agent = to_c(given.agent);
     result.end_tolerance = given.end_tolerance.value_or(0.0);
     result.has_items_hash = to_c(given.items_hash.has_value());
     result.tick = given.tick;

@@ -81,6 +81,11 @@ typedef struct ww_box {
   ww_point max;
 } ww_box;
 
+/* What moves: a point, or a disc. In a parameter, null stands for a point. This struct does not grow. */
+typedef struct ww_agent {
+  double radius; /* of the disc, 0 or more; with the radius 0 the agent is a point */
+} ww_agent;
+
 /* The range of coordinates: 2^100 and 2^-100. */
 #define WW_LARGEST_COORDINATE 1267650600228229401496703205376.0
 #define WW_SMALLEST_COORDINATE 7.8886090522101180541172856528278622967e-31
@@ -446,7 +451,7 @@ WW_API ww_status ww_world_attempt(ww_world* world, const ww_change* changes, siz
    not keep its bridges. ww_error.index is the index of the refused point or change.
    Threads: the call is a change of the world. */
 WW_API ww_status ww_world_would_disconnect(ww_world* world, const ww_change* changes, size_t change_count,
-                                           const ww_point* points, size_t point_count, double radius,
+                                           const ww_point* points, size_t point_count, const ww_agent* agent,
                                            ww_bool* would_disconnect);
 
 /* ---------------------------------------------------------------------------------------------------------------------
@@ -529,24 +534,20 @@ typedef struct ww_ray_hit {
   ww_point contact; /* the position on the touched walls that is nearest to `at`; for a segment, it equals `at` */
 } ww_ray_hit;
 
-/* Finds the first wall that a segment touches, seen from `from`. The border of the domain is a wall, too. The decision
-   is exact. The list is the items with a side there, ascending; 0 is the border. */
-WW_API ww_status ww_world_ray(const ww_world* world, ww_point from, ww_point to, ww_context* context, ww_ray_hit* hit,
-                              ww_id* items, size_t capacity, size_t* count);
+/* Finds the first wall that an agent touches while it moves straight from `from` to `to`: the segment of a point, or a
+   moving disc. A disc touches a wall that is not farther from its centre than the radius. If it touches a wall before
+   it moves, the hit is at the start. The border of the domain is a wall, too. The decision is exact. The list is the
+   items that the agent touches at the hit, ascending; 0 is the border. Further errors: WW_BAD_RADIUS. */
+WW_API ww_status ww_world_ray(const ww_world* world, ww_point from, ww_point to, const ww_agent* agent,
+                              ww_context* context, ww_ray_hit* hit, ww_id* items, size_t capacity, size_t* count);
 
 /* ---------------------------------------------------------------------------------------------------------------------
    Discs. A disc may touch walls. Like paths, discs ignore items of the kind WW_ITEM_POINT. All decisions are exact.
-   Errors: WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN; with a radius also WW_BAD_RADIUS. */
+   Errors: WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN; with an agent also WW_BAD_RADIUS. */
 
-/* Finds the first wall that a disc touches while its centre moves straight from `from` to `to`: a wall that is not
-   farther from the centre than the radius. If a disc touches a wall before it moves, the hit is at the start. The list
-   is the items that the disc touches at the hit, ascending; 0 is the border of the domain. */
-WW_API ww_status ww_world_sweep_disc(const ww_world* world, ww_point from, ww_point to, double radius,
-                                     ww_context* context, ww_ray_hit* hit, ww_id* items, size_t capacity,
-                                     size_t* count);
 /* Finds out whether a disc fits at a position: the centre does not lie strictly inside a polygon, and no wall is nearer
    to it than the radius. The list is the items that stop it, ascending; 0 is the border of the domain. */
-WW_API ww_status ww_world_fit_disc(const ww_world* world, ww_point centre, double radius, ww_context* context,
+WW_API ww_status ww_world_fit_disc(const ww_world* world, ww_point centre, const ww_agent* agent, ww_context* context,
                                    ww_bool* fits, ww_id* items, size_t capacity, size_t* count);
 
 typedef struct ww_nearest_fit_query {
@@ -554,8 +555,8 @@ typedef struct ww_nearest_fit_query {
   ww_bool has_goal; /* 0 by default; 1: the answer is a position from which the disc can move to `goal` */
   ww_point point;
   ww_point goal;
-  double radius; /* 0 by default */
-  double limit;  /* infinity by default: the largest distance of the answer from `point` */
+  ww_agent agent; /* a point by default */
+  double limit;   /* infinity by default: the largest distance of the answer from `point` */
 } ww_nearest_fit_query;
 
 /* The answer of ww_world_nearest_fit: the nearest point to query->point where the disc fits and, if the query has a
@@ -589,11 +590,13 @@ typedef struct ww_widest_path {
 } ww_widest_path;
 
 /* Finds the largest disc that can move from start to goal, and the gap that stops every larger disc. The answer does
-   not say whether the disc fits at the start and at the goal: ww_world_fit_disc says this. The lists are the items with
+   not say whether the disc fits at the start and at the goal: ww_world_fit_disc says this. The radius of `agent` does
+   not matter. The lists are the items with
    a side at the two ends of the gap, ascending; 0 is the border of the domain. Further errors: WW_NO_BRIDGES. */
-WW_API ww_status ww_world_widest_path(const ww_world* world, ww_point start, ww_point goal, ww_context* context,
-                                      ww_widest_path* widest, ww_id* from_items, size_t from_capacity,
-                                      size_t* from_count, ww_id* to_items, size_t to_capacity, size_t* to_count);
+WW_API ww_status ww_world_widest_path(const ww_world* world, ww_point start, ww_point goal, const ww_agent* agent,
+                                      ww_context* context, ww_widest_path* widest, ww_id* from_items,
+                                      size_t from_capacity, size_t* from_count, ww_id* to_items, size_t to_capacity,
+                                      size_t* to_count);
 
 /* A bridge: the straight connection between two walls at the gap between them. A disc that passes between the
    two walls crosses the bridge. */
@@ -633,7 +636,7 @@ typedef struct ww_path_query {
   ww_path_algorithm algorithm; /* WW_ALGORITHM_OPTIMAL by default */
   ww_point start;
   ww_point goal;
-  double radius;             /* 0 by default: a point agent. Above 0 the world must keep its bridges. */
+  ww_agent agent;            /* a point by default; for a disc, the world must keep its bridges */
   double end_tolerance;      /* how far the search may move a blocked end, if has_end_tolerance is set; 0: not at all */
   ww_bool has_end_tolerance; /* 0 by default: the tolerance is ww_world_default_end_tolerance() */
   ww_bool wants_channel;     /* 0 by default: whether the answer has the edges that a point agent crosses */
@@ -665,7 +668,7 @@ typedef struct ww_many_goals_query {
   ww_point start;
   const ww_point* goals; /* goal_count points, which must exist during the call */
   size_t goal_count;
-  double radius;             /* 0 by default */
+  ww_agent agent;            /* a point by default */
   double end_tolerance;      /* like ww_path_query.end_tolerance */
   ww_bool has_end_tolerance; /* 0 by default */
 } ww_many_goals_query;
@@ -702,7 +705,7 @@ typedef struct ww_path_info {
   ww_path_status status;
   double length;       /* 0 if there is no path */
   double lower_bound;  /* no path is shorter; equals `length` if the path is proven shortest; 0 if there is no path */
-  double radius;       /* as in the query */
+  ww_agent agent;      /* as in the query */
   uint64_t expansions; /* the triangles that the search entered; if radius > 0, also the straight lines it examined,
                           and 0 if there is no path */
   int64_t nanoseconds; /* the time of the search; 0 unless ww_path_query.wants_time */
@@ -834,20 +837,22 @@ WW_API ww_status ww_search_is_running(const ww_search* search, ww_bool* is_runni
 /* ---------------------------------------------------------------------------------------------------------------------
    Following changes */
 
-/* Finds out whether a point agent can walk along a polyline, for example along the points of a path. It may touch walls
-   and walk along them. It must not pass through a wall or the interior of a polygon, nor at a vertex from one wedge
-   between walls into another. The decision is exact. Without points, the answer is 0. Errors: WW_COORDINATE_RANGE,
-   WW_OUT_OF_DOMAIN. ww_error.index is the index of the refused point. */
+/* Finds out whether an agent can walk along a polyline, for example along the points of a path. It may touch walls and
+   walk along them. Discs are not supported yet. It must not pass through a wall or the interior of a polygon, nor at a
+   vertex from one wedge between walls into another. The decision is exact. Without points, the answer is 0. Errors:
+   WW_COORDINATE_RANGE, WW_OUT_OF_DOMAIN, WW_BAD_RADIUS; WW_NOT_SUPPORTED, if the radius is above 0. ww_error.index is
+   the index of the refused point. */
 WW_API ww_status ww_world_is_clear(const ww_world* world, const ww_point* points, size_t point_count,
-                                   ww_context* context, ww_bool* is_clear);
-/* Finds out whether a point agent can walk straight from one point to another. Errors: as for ww_world_is_clear. */
-WW_API ww_status ww_world_is_clear_between(const ww_world* world, ww_point from, ww_point to, ww_context* context,
-                                           ww_bool* is_clear);
+                                   const ww_agent* agent, ww_context* context, ww_bool* is_clear);
+/* Finds out whether an agent can walk straight from one point to another. Errors: as for ww_world_is_clear. */
+WW_API ww_status ww_world_is_clear_between(const ww_world* world, ww_point from, ww_point to, const ww_agent* agent,
+                                           ww_context* context, ww_bool* is_clear);
 /* Finds out whether a polyline meets the bounding box of an item that an operation after version `since` has inserted
-   or removed. If not, and if the polyline was clear at that version, it is still clear. The answer is 1 if the world no
-   longer has all bounding boxes since then: it keeps at least the last 2,048 boxes. */
-WW_API ww_status ww_world_is_affected(const ww_world* world, const ww_point* points, size_t point_count, uint64_t since,
-                                      ww_bool* is_affected);
+   or removed. For a disc, finds out whether it may touch such a box. If not, and if the polyline was clear at that
+   version, it is still clear. The answer is 1 if the world no longer has all bounding boxes since then: it keeps at
+   least the last 2,048 boxes. */
+WW_API ww_status ww_world_is_affected(const ww_world* world, const ww_point* points, size_t point_count,
+                                      const ww_agent* agent, uint64_t since, ww_bool* is_affected);
 /* Finds out whether the operations after version `since` affect a path. For a point agent, the answer is the answer of
    ww_world_is_affected for the points of the path. The path of a disc is affected if one of the bounding boxes is so
    near that the disc may touch it. A path that was not found is never affected. A path that is not affected need not be
@@ -1155,7 +1160,7 @@ typedef struct ww_script_line {
   ww_id id;      /* of an insertion, removal or replacement */
   ww_point from; /* of WW_SCRIPT_LOCATE, _RAY, _DISC, _NEAREST and _PATH */
   ww_point to;   /* of WW_SCRIPT_RAY and _PATH; the goal of _NEAREST if has_goal is 1 */
-  double radius;
+  ww_agent agent;
   double end_tolerance;
   ww_bool has_items_hash;   /* for WW_SCRIPT_TICK */
   uint64_t tick;            /* the number of WW_SCRIPT_TICK; for _MARK and _REWIND the tick of ww_world_mark */

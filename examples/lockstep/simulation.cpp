@@ -170,7 +170,7 @@ void Simulation::stop_blocked_agents(std::uint64_t version_before) {
     Agent& agent = state_.agents[i];
     if (!agent.path) continue;
     const auto rest = std::span(agent.path->points).subspan(agent.position.segment);
-    if (!world_.is_affected(rest, version_before) || world_.is_clear(rest, contexts_[0]).value()) continue;
+    if (!world_.is_affected(rest, version_before) || world_.is_clear(rest, {}, contexts_[0]).value()) continue;
     agent.path = nullptr;
     state_.waiting.push_back(static_cast<std::uint32_t>(i));
   }

@@ -19,7 +19,7 @@ namespace waywright {
 /// const bool is_only_new = !changed.is_removal;  // == true
 /// for (Unit& unit : units) {
 ///   if (!world.is_affected(unit.path, before)) continue;
-///   if (!world.is_clear(unit.path.points, context).value()) unit.path = world.find_path(unit.query).value();
+///   if (!world.is_clear(unit.path.points, {}, context).value()) unit.path = world.find_path(unit.query).value();
 /// }
 /// @endcode
 ///
@@ -34,13 +34,13 @@ namespace waywright {
 /// meets a box.
 ///
 /// World::is_affected() and PathWatch compare paths with the boxes. For a path of a disc, is_affected() can also return
-/// true if a box is a little farther from the path than Path::radius: by up to a 32nd of the radius near an arc, and by
-/// rounding errors elsewhere. Only the distance between path and boxes counts. So if an operation narrows a gap far
-/// from the path, the path is not affected.
+/// true if a box is a little farther from the path than the radius of Path::agent: by up to a 32nd of the radius near
+/// an arc, and by rounding errors elsewhere. Only the distance between path and boxes counts. So if an operation
+/// narrows a gap far from the path, the path is not affected.
 ///
 /// @code{.cpp}
 /// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
-/// Path path = yard.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5}).value();
+/// Path path = yard.find_path({.start = {20, 50}, .goal = {80, 50}, .agent = {.radius = 5}}).value();
 /// const std::uint64_t before = yard.version();
 /// yard.insert_segment({40, 56}, {60, 56}).value();
 /// const bool is_affected_by_far = yard.is_affected(path, before);  // == false

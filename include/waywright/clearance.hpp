@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "waywright/agent.hpp"
 #include "waywright/id.hpp"
 #include "waywright/point.hpp"
 
@@ -16,9 +17,9 @@ namespace waywright {
 /// its memory.
 ///
 /// @code{.cpp}
-/// const DiscFit fit = world.fit_disc({30, 50}, 12).value();  // the house begins at x = 40
-/// const bool has_room = fit.fits;                            // == false
-/// const ItemId first = fit.items.front();                    // == 1
+/// const DiscFit fit = world.fit_disc({30, 50}, {.radius = 12}).value();  // the house begins at x = 40
+/// const bool has_room = fit.fits;          // == false
+/// const ItemId first = fit.items.front();  // == 1
 /// @endcode
 struct DiscFit {
   bool fits = false;  ///< whether no item and no border of the domain stops the disc
@@ -32,14 +33,14 @@ struct DiscFit {
 /// A query for World::nearest_fit: among all positions where a disc fits, which one is the nearest to a point?
 ///
 /// @code{.cpp}
-/// const NearestFit nearest = world.nearest_fit({.point = {45, 50}, .radius = 5, .limit = 20}).value();
+/// const NearestFit nearest = world.nearest_fit({.point = {45, 50}, .agent = {.radius = 5}, .limit = 20}).value();
 /// const Point at = nearest.at;  // == Point{35, 50}
 /// @endcode
 struct NearestFitQuery {
   Point point;
-  /// The radius of the disc, 0 or more. With the radius 0, the answer is the position that a path query would take
-  /// instead of a blocked end: the nearest position in or on the border of a triangle that no polygon covers.
-  double radius = 0.0;
+  /// The disc. With the radius 0, the answer is the position that a path query would take instead of a blocked end: the
+  /// nearest position in or on the border of a triangle that no polygon covers.
+  Agent agent{};
   /// The goal: the point to which the disc must be able to move from the answer. If it is not set, every position at
   /// which the disc fits can be the answer. If the disc does not fit at the goal, there is no answer.
   std::optional<Point> goal{};
@@ -50,13 +51,13 @@ struct NearestFitQuery {
 /// The answer of World::nearest_fit.
 ///
 /// @code{.cpp}
-/// const NearestFit nearest = world.nearest_fit({.point = {45, 50}, .radius = 5}).value();
+/// const NearestFit nearest = world.nearest_fit({.point = {45, 50}, .agent = {.radius = 5}}).value();
 /// if (nearest.is_found) std::printf("%s, %g away\n", to_string(nearest.at).c_str(), nearest.distance);
 /// @endcode
 ///
 /// If the disc fits at the point of the query and, if the query has a goal, can move from there to the goal, this point
 /// is the answer. There is one exception: if the radius is 0 and polygons cover all triangles around the point, it is
-/// not the answer (see NearestFitQuery::radius), even if the point lies on the boundaries of these polygons.
+/// not the answer (see NearestFitQuery::agent), even if the point lies on the boundaries of these polygons.
 ///
 /// The coordinates of the answer are doubles, so the answer can lie a little farther away than the nearest position at
 /// which the disc fits. The distance exceeds the smallest possible one by at most the larger of two numbers: 1e-9 times

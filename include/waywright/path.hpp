@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "waywright/agent.hpp"
 #include "waywright/clearance.hpp"
 #include "waywright/error.hpp"
 #include "waywright/export.hpp"
@@ -66,7 +67,7 @@ struct PathBudget {
 struct PathQuery {
   Point start;
   Point goal;
-  /// The radius of the agent, 0 or more. With a radius above 0 the world must keep its bridges
+  /// The agent that moves: a point, or a disc with a radius. For a disc, the world must keep its bridges
   /// (WorldOptions::keep_bridges), and the path is in Path::pieces. The first path of PathAlgorithm::ta is then the
   /// path of PathAlgorithm::tra.
   ///
@@ -75,7 +76,7 @@ struct PathQuery {
   /// come nearer to a wall than r, but at most by the larger of m / 2^50 and r / 2^34. If r is below m / 2^48, the
   /// search may find no path although there is one. So choose a domain that is not much larger than the area of the
   /// items.
-  double radius = 0.0;
+  Agent agent{};
   PathAlgorithm algorithm = PathAlgorithm::optimal;
   PathBudget budget{};
   bool wants_channel = false;  ///< whether the answer contains Path::channel
@@ -134,7 +135,7 @@ struct Portal {
 /// @code{.cpp}
 /// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
 /// yard.insert_segment({50, 0}, {50, 60}, 1).value();
-/// const Path around = yard.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5}).value();
+/// const Path around = yard.find_path({.start = {20, 50}, .goal = {80, 50}, .agent = {.radius = 5}}).value();
 /// const bool turns = around.pieces[1].kind == PathPiece::Kind::arc;  // == true
 /// const Point centre = around.pieces[1].centre;                      // == Point{50, 60}
 /// @endcode
@@ -228,7 +229,7 @@ struct WAYWRIGHT_API Path {
   /// No path is shorter than this number. It equals `length` if the search has proven that the path is the shortest. It
   /// is 0 if there is no path.
   double lower_bound = 0.0;
-  double radius = 0.0;  ///< the radius of the agent, as in the query
+  Agent agent;  ///< the agent of the query
   /// The start, the turns of the path and the goal. The list is empty if there is no path, if the query has a radius
   /// above 0, or if ManyGoalsQuery::wants_points is false. If the path turns at a crossing of two sides, the point of
   /// this turn has the rounded coordinates of the crossing. For this reason, if a point of a polyline has the rounded
@@ -237,7 +238,7 @@ struct WAYWRIGHT_API Path {
   /// The lines and arcs from the start to the goal, if the query has a radius above 0. The list is empty if the radius
   /// is 0, if there is no path, or if ManyGoalsQuery::wants_points is false. If start and goal are equal, there is one
   /// line of length 0. No wall is nearer to a position on the pieces than the radius, up to rounding errors
-  /// (PathQuery::radius).
+  /// (PathQuery::agent).
   std::vector<PathPiece> pieces;
   /// The edges that the path crosses, in order. The list is empty if there is no path, if PathQuery::wants_channel is
   /// false, or if the query has a radius above 0: the lines and arcs may leave the channel of the search.
@@ -282,7 +283,7 @@ struct WAYWRIGHT_API Path {
   /// domain, if the border of the domain has a coordinate that no `float` can express.
   ///
   /// On the path of a disc, the function rounds to nearest. A wall can be nearer to the position than the radius, by at
-  /// most the sum of two errors: the error of the path (PathQuery::radius), and the rounding error of the position.
+  /// most the sum of two errors: the error of the path (PathQuery::agent), and the rounding error of the position.
   /// With Precision::float64, the rounding error is a few units in the last place of the radius or of the largest
   /// coordinate of the path, whichever is larger. With Precision::float32, it is at most the distance between two
   /// neighbouring floats at the larger coordinate of the position. So a disc that touches a wall may not fit exactly at
@@ -314,7 +315,7 @@ struct WAYWRIGHT_API Path {
   /// @code{.cpp}
   /// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
   /// yard.insert_segment({50, 0}, {50, 60}, 1).value();
-  /// const Path around = yard.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5}).value();
+  /// const Path around = yard.find_path({.start = {20, 50}, .goal = {80, 50}, .agent = {.radius = 5}}).value();
   /// const std::size_t coarse = around.polyline(1.0).value().size();   // == 4
   /// const std::size_t fine = around.polyline(0.05).value().size();    // == 7
   /// @endcode
@@ -343,7 +344,7 @@ struct WAYWRIGHT_API Path {
 struct ManyGoalsQuery {
   Point start;
   std::span<const Point> goals;
-  double radius = 0.0;        ///< the radius of the agent, 0 or more: like PathQuery::radius
+  Agent agent{};              ///< like PathQuery::agent
   bool wants_points = false;  ///< whether the answers have points or pieces, besides status and length
   /// Like PathQuery::end_tolerance, for the start and for each goal. With the radius 0 there is one difference for the
   /// start, because all paths begin at the same point: the search moves the start only if polygons cover all triangles

@@ -37,7 +37,7 @@ class World;
 /// touches, and the triangles around their corners, at a cost proportional to the number of these triangles. If you
 /// move a search to another object, you may only assign to the first object or destroy it.
 ///
-/// If PathQuery::radius is above 0, every change of the world makes the next slice start the search again. So does a
+/// If the agent is a disc, every change of the world makes the next slice start the search again. So does a
 /// call of World::shrink_to_fit that frees the second mesh (WorldOptions::keep_bridges).
 ///
 /// Threads: a search belongs to one thread at a time. begin() and step() read the world: call them only while no other
@@ -88,7 +88,7 @@ class WAYWRIGHT_API PathSearch {
   /// of this object that is not const.
   ///
   /// The list is empty if record_windows() was not called before begin(); if the algorithm is not
-  /// PathAlgorithm::optimal; if PathQuery::radius is above 0; and if no search was necessary, for example because the
+  /// PathAlgorithm::optimal; if the agent is a disc; and if no search was necessary, for example because the
   /// straight segment from the start to the goal meets no wall, and no vertex between its ends.
   ///
   /// @code{.cpp}

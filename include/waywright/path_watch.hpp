@@ -62,7 +62,7 @@ struct PathChanges {
 /// insertion makes this possible: if it blocks an end, the query moves this end to a free position
 /// (PathQuery::end_tolerance). For a point agent, the report is exact. For a disc, the watch decides exactly whether
 /// the disc fits at the ends and can move from one to the other. If the radius is so small that a search may find no
-/// path although there is one (PathQuery::radius), such a path is reported, too. If you keep the path under its key,
+/// path although there is one (PathQuery::agent), such a path is reported, too. If you keep the path under its key,
 /// the watch reports it again after each later operation, as long as a path is possible. A path that was not found and
 /// has no Path::ends counts as infinitely long: the watch reports it after each removal of a segment, polyline or
 /// polygon.
@@ -120,7 +120,7 @@ class WAYWRIGHT_API PathWatch {
   /// the area that the agent cannot leave (if the world keeps its abstraction and the agent is a point: an operation
   /// may have connected two areas); the watch has not tested it yet, or a path was possible at the last test. A test
   /// costs two point locations and, for a disc or without an abstraction, a search through the smaller one of the two
-  /// areas. All tests of one update for agents of one radius share their searches. Allocates nothing if earlier updates
+  /// areas. All tests of one update for equal agents share their searches. Allocates nothing if earlier updates
   /// had answers and searches of this size. If memory runs out, `changes` is empty, and you can call update() again.
   void update(const World& world, PathChanges& changes);
 

@@ -10,15 +10,15 @@ namespace waywright {
 /// @addtogroup world
 /// @{
 
-/// The answer of World::ray and World::sweep_disc: the first wall that a segment or a moving disc touches. If you reuse
-/// one object for many queries, it keeps its memory.
+/// The answer of World::ray: the first wall that a segment or a moving disc touches. If you reuse one object for many
+/// queries, it keeps its memory.
 ///
 /// @code{.cpp}
 /// const RayHit hit = world.ray({10, 50}, {90, 50}).value();
 /// if (hit.hit) std::printf("a wall at (%g, %g)\n", hit.at.x, hit.at.y);
 /// const ItemId wall = hit.items.front();                       // == 1
 /// const bool sees_goal = !world.ray(start, goal).value().hit;  // == false
-/// const RayHit disc_hit = world.sweep_disc({10, 50}, {90, 50}, 5).value();
+/// const RayHit disc_hit = world.ray({10, 50}, {90, 50}, {.radius = 5}).value();
 /// const Point centre = disc_hit.at;         // == Point{35, 50}
 /// const Point contact = disc_hit.contact;   // == Point{40, 50}
 /// @endcode

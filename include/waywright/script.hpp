@@ -43,7 +43,7 @@ struct ScriptLine {
   Item item;                               ///< insert and replace: the item; remove: its id; clear: its points
   Point from;                              ///< for locate, ray, disc, nearest and path
   Point to;                                ///< for ray and path; for nearest, the goal if there is one
-  double radius = 0.0;                     ///< for ray, disc, nearest and path
+  Agent agent;                             ///< for ray, disc, nearest and path: the radius of the line
   bool has_radius = false;                 ///< for ray: whether the line gives a radius
   std::optional<PathAlgorithm> algorithm;  ///< for path, if the line names one
   std::optional<double> end_tolerance;     ///< for path, if the line gives one

@@ -61,7 +61,7 @@ struct SvgFailedPath {
 /// @code{.cpp}
 /// World yard = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
 /// yard.insert_segment({50, 0}, {50, 60}, 1).value();
-/// const PathQuery query{.start = {20, 50}, .goal = {80, 50}, .radius = 5};
+/// const PathQuery query{.start = {20, 50}, .goal = {80, 50}, .agent = {.radius = 5}};
 /// const std::string svg = to_svg(yard, {.disc_paths = {{query, yard.find_path(query).value()}}}, {}).value();
 /// @endcode
 struct SvgDiscPath {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "waywright/agent.hpp"
 #include "waywright/assert.hpp"
 #include "waywright/bridges.hpp"
 #include "waywright/bulk_options.hpp"

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "waywright/agent.hpp"
 #include "waywright/attempt.hpp"
 #include "waywright/bridges.hpp"
 #include "waywright/bulk_options.hpp"
@@ -239,9 +240,10 @@ class WAYWRIGHT_API World {
   /// Cost: the cost of one attempt(), and two point locations for each point. With a radius above 0, also fit_disc()
   /// for each point and, for each set of points between which the disc can move, a search through all gaps that it can
   /// pass from there, and one step for each of `points`.
-  [[nodiscard]] Result<bool> would_disconnect(std::span<const Change> changes, PointSpan points, double radius = 0.0);
+  [[nodiscard]] Result<bool> would_disconnect(std::span<const Change> changes, PointSpan points,
+                                              const Agent& agent = {});
   /// Does the same for one change: the insertion of a shape.
-  [[nodiscard]] Result<bool> would_disconnect(const Shape& shape, PointSpan points, double radius = 0.0);
+  [[nodiscard]] Result<bool> would_disconnect(const Shape& shape, PointSpan points, const Agent& agent = {});
 
   /// @}
 
@@ -353,15 +355,18 @@ class WAYWRIGHT_API World {
                                            std::vector<CrossedItem>& items) const;
   /// @copydoc items_crossed(Point, Point, QueryContext&, std::vector<CrossedItem>&) const
   [[nodiscard]] Result<std::vector<CrossedItem>> items_crossed(Point from, Point to) const;
-  /// Finds the first wall that the segment touches, seen from `from`. The border of the domain is a wall, too. A
-  /// segment that starts on a wall touches this wall. The decision is exact, even if several walls meet at the
-  /// position, or if the segment passes through the end of a wall.
-  /// Errors: coordinate_range, out_of_domain.
-  /// Cost: the point location of `from`, and the triangles that the segment crosses before the hit. Allocates nothing
-  /// if `hit` has been used before.
-  [[nodiscard]] Result<void> ray(Point from, Point to, RayHit& hit) const;
-  /// @copydoc ray(Point, Point, RayHit&) const
-  [[nodiscard]] Result<RayHit> ray(Point from, Point to) const;
+  /// Finds the first wall that the agent touches while it moves straight from `from` to `to`: the segment of a point
+  /// agent, or a moving disc. The border of the domain is a wall, too. A segment that starts on a wall touches this
+  /// wall. RayHit says when a disc touches a wall. The decision is exact, even if several walls meet at the position,
+  /// if the segment passes through the end of a wall, or if the disc passes a wall at a distance of exactly the radius.
+  /// Errors: coordinate_range, out_of_domain, bad_radius.
+  /// Cost: the point location of `from`, and the triangles that the segment crosses before the hit. For a disc, n log n
+  /// in the number n of triangles that a disc 1.07 times as large meets before the touch. Allocates nothing if
+  /// `context` and `hit` have been used for such a query before. One exception: if the radius is no multiple of 2^-152
+  /// and doubles cannot decide, exact arithmetic allocates.
+  [[nodiscard]] Result<void> ray(Point from, Point to, const Agent& agent, QueryContext& context, RayHit& hit) const;
+  /// @copydoc ray(Point, Point, const Agent&, QueryContext&, RayHit&) const
+  [[nodiscard]] Result<RayHit> ray(Point from, Point to, const Agent& agent = {}) const;
   /// Finds the items that have a position in common with a closed box. Ids ascend. The box may reach beyond the domain.
   /// Errors: coordinate_range; bad_domain, if min is beyond max.
   /// Cost: the point location of a corner of the box, and the triangles that meet the box.
@@ -383,24 +388,12 @@ class WAYWRIGHT_API World {
   /// Errors: coordinate_range, out_of_domain, bad_radius.
   /// Cost: the point location of the centre, and the triangles within the radius. Allocates nothing if `context` and
   /// `fit` have been used before.
-  [[nodiscard]] Result<void> fit_disc(Point centre, double radius, QueryContext& context, DiscFit& fit) const;
-  /// @copydoc fit_disc(Point, double, QueryContext&, DiscFit&) const
-  [[nodiscard]] Result<DiscFit> fit_disc(Point centre, double radius) const;
-
-  /// Finds the first wall that a disc touches while its centre moves straight from `from` to `to`. The border of the
-  /// domain is a wall, too. RayHit says when a disc touches a wall. The decision is exact, even if the disc reaches
-  /// several walls at once, or passes a wall at a distance of exactly the radius. With the radius 0, the answer is the
-  /// answer of ray().
-  /// Errors: coordinate_range, out_of_domain, bad_radius.
-  /// Cost: the point location of `from`, and n log n in the number n of triangles that a disc 1.07 times as large meets
-  /// before the touch. Allocates nothing if `context` and `hit` have been used for such a query before. One exception:
-  /// if the radius is no multiple of 2^-152 and doubles cannot decide, exact arithmetic allocates.
-  [[nodiscard]] Result<void> sweep_disc(Point from, Point to, double radius, QueryContext& context, RayHit& hit) const;
-  /// @copydoc sweep_disc(Point, Point, double, QueryContext&, RayHit&) const
-  [[nodiscard]] Result<RayHit> sweep_disc(Point from, Point to, double radius) const;
+  [[nodiscard]] Result<void> fit_disc(Point centre, const Agent& agent, QueryContext& context, DiscFit& fit) const;
+  /// @copydoc fit_disc(Point, const Agent&, QueryContext&, DiscFit&) const
+  [[nodiscard]] Result<DiscFit> fit_disc(Point centre, const Agent& agent) const;
 
   /// Finds the nearest point to NearestFitQuery::point, among all points where a disc fits (fit_disc(); for the radius
-  /// 0 see NearestFitQuery::radius). With a goal, it is the nearest point from which the disc can move to the goal. The
+  /// 0 see NearestFitQuery::agent). With a goal, it is the nearest point from which the disc can move to the goal. The
   /// decisions are exact. NearestFit says how precise the distance is. Error::index is 0 for the point, 1 for the goal.
   /// Errors: coordinate_range, out_of_domain, bad_radius; bad_distance, if the limit is negative or not a number;
   /// no_bridges, if the query has a goal and a radius above 0, and the world does not keep its bridges
@@ -417,13 +410,15 @@ class WAYWRIGHT_API World {
 
   /// Finds the largest disc that can move from `start` to `goal`, and the gap that stops every larger disc. All
   /// comparisons are exact. The result does not say whether the disc fits at the two ends: fit_disc() says this.
+  /// The search ignores the radius of `agent`.
   /// Errors: coordinate_range, out_of_domain; no_bridges, if the world does not keep its bridges.
   /// Cost: two searches, one from each end, move through gaps that are not narrower than the answer, until they meet.
   /// The cost is n log n in the walls and gaps that they reach. Allocates nothing if `context` and `widest` have been
   /// used for such a query before.
-  [[nodiscard]] Result<void> widest_path(Point start, Point goal, QueryContext& context, WidestPath& widest) const;
-  /// @copydoc widest_path(Point, Point, QueryContext&, WidestPath&) const
-  [[nodiscard]] Result<WidestPath> widest_path(Point start, Point goal) const;
+  [[nodiscard]] Result<void> widest_path(Point start, Point goal, const Agent& agent, QueryContext& context,
+                                         WidestPath& widest) const;
+  /// @copydoc widest_path(Point, Point, const Agent&, QueryContext&, WidestPath&) const
+  [[nodiscard]] Result<WidestPath> widest_path(Point start, Point goal, const Agent& agent = {}) const;
 
   /// Lists the bridges, so that a program can draw or inspect them. The list contains a bridge if the straight line
   /// from Bridge::from to Bridge::to has a position in common with the closed box. The box may reach beyond the domain.
@@ -443,7 +438,8 @@ class WAYWRIGHT_API World {
 
   /// Finds a path from start to goal. It may touch walls and vertices, but it never passes through a wall. At a vertex
   /// with walls, it never passes from one wedge between walls into another. PathQuery::end_tolerance says when the
-  /// search moves the start and the goal. If PathQuery::radius is above 0, the disc's path is in Path::pieces.
+  /// search moves the start and the goal. If the radius of PathQuery::agent is above 0, the disc's path is in
+  /// Path::pieces.
   /// Errors: coordinate_range, out_of_domain, bad_radius, bad_distance; not_supported, if the radius is 0, the
   /// algorithm is `tra`, and the world does not keep its abstraction; no_bridges, if the query has a radius above 0 and
   /// the world does not keep its bridges.
@@ -490,32 +486,34 @@ class WAYWRIGHT_API World {
   /// path of a disc, call find_path() again. ChangedBox and PathWatch have examples.
   /// @{
 
-  /// Returns whether a point agent can walk along a polyline, for example the points of a Path. The agent may touch
-  /// walls and vertices and may walk along walls. It must not pass through a wall, through the interior of a polygon,
-  /// or at a vertex from one wedge between walls into another. The decision is exact. If there are no points, the
-  /// result is false. Path::points says how the function treats a path that turns at a crossing of two sides.
-  /// Error::index is the index of the refused point in `points`.
-  /// Errors: coordinate_range, out_of_domain.
+  /// Returns whether a point agent can walk along a polyline, for example the points of a Path. The function does not
+  /// support discs yet: their radius must be 0. The agent may touch walls and vertices and may walk along walls. It
+  /// must not pass through a wall, through the interior of a polygon, or at a vertex from one wedge between walls into
+  /// another. The decision is exact. If there are no points, the result is false. Path::points says how the function
+  /// treats a path that turns at a crossing of two sides. Error::index is the index of the refused point in `points`.
+  /// Errors: coordinate_range, out_of_domain, bad_radius; not_supported, if the radius is above 0.
   /// Cost: the point location of the first point, and the triangles that the polyline crosses. Allocates nothing if
   /// `context` has been used for a polyline of the same length before.
-  [[nodiscard]] Result<bool> is_clear(std::span<const Point> points, QueryContext& context) const;
-  /// @copydoc is_clear(std::span<const Point>, QueryContext&) const
-  [[nodiscard]] Result<bool> is_clear(std::span<const Point> points) const;
+  [[nodiscard]] Result<bool> is_clear(std::span<const Point> points, const Agent& agent, QueryContext& context) const;
+  /// @copydoc is_clear(std::span<const Point>, const Agent&, QueryContext&) const
+  [[nodiscard]] Result<bool> is_clear(std::span<const Point> points, const Agent& agent = {}) const;
   /// Returns whether a point agent can walk along the straight segment between two points, as for a polyline of two
   /// points. A segment that only touches a wall is clear, although ray() reports a hit for it.
-  [[nodiscard]] Result<bool> is_clear(const Point& from, const Point& to, QueryContext& context) const;
-  /// @copydoc is_clear(const Point&, const Point&, QueryContext&) const
-  [[nodiscard]] Result<bool> is_clear(const Point& from, const Point& to) const;
+  [[nodiscard]] Result<bool> is_clear(const Point& from, const Point& to, const Agent& agent,
+                                      QueryContext& context) const;
+  /// @copydoc is_clear(const Point&, const Point&, const Agent&, QueryContext&) const
+  [[nodiscard]] Result<bool> is_clear(const Point& from, const Point& to, const Agent& agent = {}) const;
 
   /// Returns whether a polyline meets the bounding box of a segment, polyline or polygon that an operation after
-  /// version `since` has inserted or removed (ChangedBox). If the result is false and the polyline was clear at that
-  /// version, it is still clear. If changes_since() returns nothing for that version, the result is true.
-  /// Cost: a few comparisons for each pair of a box and a point. Allocates nothing.
-  [[nodiscard]] bool is_affected(std::span<const Point> points, std::uint64_t since) const;
+  /// version `since` has inserted or removed (ChangedBox). For a disc that moves along the polyline, the function
+  /// returns whether it may touch the box. (A radius that is not above 0 counts as 0.) If the result is false and the
+  /// polyline was clear at that version, it is still clear. If changes_since() returns nothing for that version, the
+  /// result is true. Cost: a few comparisons for each pair of a box and a point. Allocates nothing.
+  [[nodiscard]] bool is_affected(std::span<const Point> points, std::uint64_t since, const Agent& agent = {}) const;
   /// Returns whether a path is affected by the operations after version `since`. For a point agent, this is
   /// is_affected() of Path::points. For a disc, the function returns whether the bounding box of an inserted or removed
   /// item comes so near to Path::pieces that the disc may touch the box: see ChangedBox. If the result is false and the
-  /// path was valid for its radius at that version, it is still valid.
+  /// path was valid for its agent at that version, it is still valid.
   /// After a removal, a path that is not affected may be longer than necessary. A path that was not found is never
   /// affected: search again for it. If ManyGoalsQuery::wants_points was false, each box affects a found path.
   /// Cost: a few comparisons for each pair of a box and a piece. Allocates nothing.

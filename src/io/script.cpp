@@ -229,11 +229,11 @@ bool ScriptParser::read_rest(ScriptLine& line, const Grammar& grammar) {
     case ScriptLineKind::ray:
       return point(line.from) && point(line.to) && read_ray_radius(line);
     case ScriptLineKind::disc:
-      return point(line.from) && number(line.radius);
+      return point(line.from) && number(line.agent.radius);
     case ScriptLineKind::nearest:
-      return point(line.from) && number(line.radius) && read_goal(line);
+      return point(line.from) && number(line.agent.radius) && read_goal(line);
     case ScriptLineKind::path:
-      return point(line.from) && point(line.to) && number(line.radius) && read_path_options(line);
+      return point(line.from) && point(line.to) && number(line.agent.radius) && read_path_options(line);
     case ScriptLineKind::clear:
       return read_ring(line.item.shape.rings);
     case ScriptLineKind::tick:
@@ -313,7 +313,7 @@ bool ScriptParser::read_points(std::uint64_t count, Rings& rings) {
 
 bool ScriptParser::read_ray_radius(ScriptLine& line) {
   line.has_radius = !words_.peek().empty();
-  return !line.has_radius || number(line.radius);
+  return !line.has_radius || number(line.agent.radius);
 }
 
 bool ScriptParser::read_path_options(ScriptLine& line) {

@@ -26,12 +26,12 @@ constexpr double kLabelSize = 15.0;
 constexpr double kLabelCharacter = 0.58;  // width of a letter, as a fraction of the font size
 
 bool is_drawable(const SvgDiscPath& path) {
-  return is_finite(path.query.start) && is_finite(path.query.goal) && std::isfinite(path.query.radius) &&
-         path.query.radius > 0.0;
+  return is_finite(path.query.start) && is_finite(path.query.goal) && std::isfinite(path.query.agent.radius) &&
+         path.query.agent.radius > 0.0;
 }
 
 std::string label_of(const SvgDiscPath& path) {
-  return "path of a disc, radius " + rounded(path.query.radius) + ", length " + rounded(path.answer.length);
+  return "path of a disc, radius " + rounded(path.query.agent.radius) + ", length " + rounded(path.answer.length);
 }
 
 /// Returns the gap that stops the disc, or null if the answer has none.
@@ -153,7 +153,7 @@ class DiscPathDrawer {
 
   /// Draws a stroke as wide as the disc: with round ends and joins it is the area that the disc covers.
   void draw_swept_area(const Found& found) {
-    const double width = 2.0 * pixels_of(found.path->query.radius);
+    const double width = 2.0 * pixels_of(found.path->query.agent.radius);
     PathData data(frame_, width);
     add_path(data, *found.path);
     if (data.empty()) return;
@@ -167,7 +167,7 @@ class DiscPathDrawer {
     PathData data(frame_);
     add_path(data, path);
     const double width =
-        std::clamp(pixels_of(path.query.radius) * 0.35, 1.2, std::max(canvas_.path_width() * 0.7, 1.2));
+        std::clamp(pixels_of(path.query.agent.radius) * 0.35, 1.2, std::max(canvas_.path_width() * 0.7, 1.2));
     if (!data.empty()) {
       canvas_.drawing().clipped += "<g>";
       const std::string about = canvas_.hint(label_of(path));
@@ -177,7 +177,7 @@ class DiscPathDrawer {
     }
     draw_discs(path, found.colour, {});
     const auto [start, goal] = ends_of(path);
-    canvas_.add_ends(start, goal, end_radius(path.query.radius), found.colour);
+    canvas_.add_ends(start, goal, end_radius(path.query.agent.radius), found.colour);
   }
 
   /// Returns where the path starts and ends. If the search has moved an end, this is the new position.
@@ -189,7 +189,7 @@ class DiscPathDrawer {
 
   /// Draws the disc where the path starts and where it ends.
   void draw_discs(const SvgDiscPath& path, const Paint& colour, std::string_view attributes) {
-    const double radius = pixels_of(path.query.radius);
+    const double radius = pixels_of(path.query.agent.radius);
     const auto [start, goal] = ends_of(path);
     for (const Point& end : {start, goal}) {
       const Point centre = frame_.to_picture(end);
@@ -208,7 +208,7 @@ class DiscPathDrawer {
   void draw_failed(const SvgDiscPath& path) {
     const SvgFailedPath failed{path.query.start, path.query.goal, path.answer.status};
     draw_discs(path, {Ink::failed}, kDashed);
-    canvas_.add_failed_path(failed, end_radius(path.query.radius));
+    canvas_.add_failed_path(failed, end_radius(path.query.agent.radius));
     const bool has_room = failed_.size() <= kMostLabels;
     if (has_room && gap_of(path) == nullptr) canvas_.add_status(failed);
     count_failure(failures_, path.answer.status);

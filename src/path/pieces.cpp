@@ -169,10 +169,11 @@ bool may_touch(std::span<const PathPiece> pieces, double radius, const Box& box)
   });
 }
 
-bool may_touch(std::span<const Point> polyline, const Box& box) {
+bool may_touch(std::span<const Point> polyline, double radius, const Box& box) {
   if (polyline.empty()) return false;
   const auto is_near = [&](const Point& a, const Point& b) {
-    return is_near_line(a, b, box, 0x1p-45 * std::max(largest_coordinate(a), largest_coordinate(b)));
+    const double largest = std::max(largest_coordinate(a), largest_coordinate(b));
+    return is_near_line(a, b, box, radius + 0x1p-45 * (largest + radius));
   };
   if (is_near(polyline.front(), polyline.front())) return true;
   for (std::size_t i = 1; i < polyline.size(); ++i) {

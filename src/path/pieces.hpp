@@ -48,8 +48,8 @@ void append_polyline(std::span<const PathPiece> pieces, double tolerance, std::v
 /// true if the distance is larger than the radius: by a 32nd of the radius at arcs, and by rounding errors. It is never
 /// false if the disc touches the box.
 [[nodiscard]] bool may_touch(std::span<const PathPiece> pieces, double radius, const Box& box);
-/// Returns whether a polyline, the path of a point agent, meets a closed box. The result can also be true if the
-/// polyline is less than rounding errors away from the box. It is never false if the path meets the box.
-[[nodiscard]] bool may_touch(std::span<const Point> polyline, const Box& box);
+/// Returns whether an agent that moves along a polyline may touch a closed box. The result can also be true if the
+/// distance is larger than the radius, by less than rounding errors. It is never false if the agent touches the box.
+[[nodiscard]] bool may_touch(std::span<const Point> polyline, double radius, const Box& box);
 
 }  // namespace waywright::path

@@ -9,7 +9,7 @@ inline void reset(Path& path) {
   path.status = PathStatus::no_path;
   path.length = 0.0;
   path.lower_bound = 0.0;
-  path.radius = 0.0;
+  path.agent = {};
   path.points.clear();
   path.pieces.clear();
   path.channel.clear();

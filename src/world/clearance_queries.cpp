@@ -36,20 +36,20 @@ Error no_bridges_error() {
 
 }  // namespace
 
-Result<void> World::fit_disc(Point centre, double radius, QueryContext& context, DiscFit& fit) const {
+Result<void> World::fit_disc(Point centre, const Agent& agent, QueryContext& context, DiscFit& fit) const {
   const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), centre, 0, "the centre")) return *std::move(error);
-  if (auto error = find_disc_radius_error(radius)) return *std::move(error);
-  impl_->fit_disc(centre, radius, *context.scratch_, fit);
+  if (auto error = find_agent_error(agent)) return *std::move(error);
+  impl_->fit_disc(centre, agent, *context.scratch_, fit);
   return {};
 }
 
-void World::Impl::fit_disc(const Point& centre, double radius, detail::QueryScratch& scratch, DiscFit& fit) const {
+void World::Impl::fit_disc(const Point& centre, const Agent& agent, detail::QueryScratch& scratch, DiscFit& fit) const {
   fit.items.clear();
-  if (radius > 0.0) {
+  if (agent.radius > 0.0) {
     std::vector<std::uint32_t>& slots = scratch.items.slots;
     slots.clear();
-    scratch.near_walls.find_items(triangulation, centre, radius, slots);
+    scratch.near_walls.find_items(triangulation, centre, agent.radius, slots);
     append_ids(triangulation.items(), slots, fit.items);
   }
   scratch.cover_finder.use(kept_abstraction());
@@ -59,34 +59,35 @@ void World::Impl::fit_disc(const Point& centre, double radius, detail::QueryScra
   fit.fits = fit.items.empty();
 }
 
-Result<DiscFit> World::fit_disc(Point centre, double radius) const {
+Result<DiscFit> World::fit_disc(Point centre, const Agent& agent) const {
   const SpareContext::Loan context = impl_->spare_context.borrow();
   DiscFit fit;
-  if (auto done = fit_disc(centre, radius, *context, fit); !done) return done.error();
+  if (auto done = fit_disc(centre, agent, *context, fit); !done) return done.error();
   return fit;
 }
 
-Result<void> World::sweep_disc(Point from, Point to, double radius, QueryContext& context, RayHit& hit) const {
+Result<void> World::ray(Point from, Point to, const Agent& agent, QueryContext& context, RayHit& hit) const {
   const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), from, 0, "the start")) return *std::move(error);
   if (auto error = find_point_error(domain(), to, 1, "the end")) return *std::move(error);
-  if (auto error = find_disc_radius_error(radius)) return *std::move(error);
-  if (radius == 0.0) {
+  if (auto error = find_agent_error(agent)) return *std::move(error);
+  if (agent.radius == 0.0) {
     constraint::first_wall(impl_->triangulation, from, to, hit);
   } else {
-    context.scratch_->swept_disc.find_first_wall(impl_->triangulation, {from, to, radius}, hit);
+    context.scratch_->swept_disc.find_first_wall(impl_->triangulation, {from, to, agent.radius}, hit);
   }
   return {};
 }
 
-Result<RayHit> World::sweep_disc(Point from, Point to, double radius) const {
+Result<RayHit> World::ray(Point from, Point to, const Agent& agent) const {
   const SpareContext::Loan context = impl_->spare_context.borrow();
   RayHit hit;
-  if (auto done = sweep_disc(from, to, radius, *context, hit); !done) return done.error();
+  if (auto done = ray(from, to, agent, *context, hit); !done) return done.error();
   return hit;
 }
 
-Result<void> World::widest_path(Point start, Point goal, QueryContext& context, WidestPath& widest) const {
+Result<void> World::widest_path(Point start, Point goal, const Agent& /*agent*/, QueryContext& context,
+                                WidestPath& widest) const {
   const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), start, 0, "the start")) return *std::move(error);
   if (auto error = find_point_error(domain(), goal, 1, "the goal")) return *std::move(error);
@@ -126,10 +127,10 @@ void World::Impl::write_widest(const clearance::WidestGap& gap, WidestPath& wide
   keep_one_of_each(widest.to_items);
 }
 
-Result<WidestPath> World::widest_path(Point start, Point goal) const {
+Result<WidestPath> World::widest_path(Point start, Point goal, const Agent& agent) const {
   const SpareContext::Loan context = impl_->spare_context.borrow();
   WidestPath widest;
-  if (auto done = widest_path(start, goal, *context, widest); !done) return done.error();
+  if (auto done = widest_path(start, goal, agent, *context, widest); !done) return done.error();
   return widest;
 }
 

@@ -75,7 +75,7 @@ void write_path(const detail::DiscSearch& disc, double lower_bound, Path& path) 
   path.pieces.clear();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const bool is_last = i + 1 == pieces.size();
-    append(pieces[i], path.radius, is_last ? disc.goal : pieces[i + 1].from, path.pieces);
+    append(pieces[i], path.agent.radius, is_last ? disc.goal : pieces[i + 1].from, path.pieces);
   }
   if (path.pieces.empty()) path.pieces.push_back({PathPiece::Kind::line, disc.start, disc.goal, {}, 0.0, 0.0, 0.0});
   path.pieces.front().from = disc.start;
@@ -250,7 +250,7 @@ void write_time(const detail::DiscSearch& disc, Path& path) {
 /// Moves the ends at which the disc does not fit. Returns whether it fits at both ends now. If not, writes to `path`
 /// which end is blocked.
 bool World::Impl::move_blocked_disc_ends(PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
-  fit_disc(query.goal, query.radius, scratch, scratch.fit);
+  fit_disc(query.goal, query.agent, scratch, scratch.fit);
   const std::optional<Point> goal = scratch.fit.fits ? std::optional(query.goal) : std::nullopt;
   if (!move_blocked_disc_end(query, true, goal, scratch, path)) return false;
   return goal || move_blocked_disc_end(query, false, query.start, scratch, path);
@@ -261,7 +261,7 @@ bool World::Impl::move_blocked_disc_ends(PathQuery& query, detail::QueryScratch&
 bool World::Impl::move_blocked_disc_end(PathQuery& query, bool is_start, const std::optional<Point>& other,
                                         detail::QueryScratch& scratch, Path& path) const {
   Point& end = is_start ? query.start : query.goal;
-  fit_disc(end, query.radius, scratch, scratch.fit);
+  fit_disc(end, query.agent, scratch, scratch.fit);
   if (scratch.fit.fits) return true;
   const auto moved = find_disc_end(query, end, other, scratch);
   if (!moved) {
@@ -281,8 +281,8 @@ std::optional<Point> World::Impl::find_disc_end(const PathQuery& query, const Po
                                                 detail::QueryScratch& scratch) const {
   const double tolerance = query.end_tolerance.value_or(path::default_end_tolerance(triangulation.domain()));
   if (!(tolerance > 0.0)) return std::nullopt;
-  if (is_surely_blocked(triangulation, end, query.radius, tolerance, scratch.near_walls)) return std::nullopt;
-  NearestFitQuery nearest{end, query.radius, other, tolerance};
+  if (is_surely_blocked(triangulation, end, query.agent.radius, tolerance, scratch.near_walls)) return std::nullopt;
+  NearestFitQuery nearest{end, query.agent, other, tolerance};
   if (other) {
     if (const auto found = nearest_fit_of_disc(nearest, scratch)) return found;
     nearest.goal.reset();
@@ -298,7 +298,8 @@ void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch
   const nav::Abstraction* const known = kept_abstraction_for_discs();
   disc.start = query.start;
   disc.goal = query.goal;
-  disc.map.emplace(walls, clearance->bridges(), query.radius, query.start, known != nullptr ? &known->core() : nullptr);
+  disc.map.emplace(walls, clearance->bridges(), query.agent.radius, query.start,
+                   known != nullptr ? &known->core() : nullptr);
   disc.ends.begin(*disc.map, query.start, query.goal);
   if (known != nullptr && !disc.ends.are_connected(known->components())) {
     disc.outcome = Outcome::none;
@@ -309,7 +310,7 @@ void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch
   disc.algorithm = query.algorithm;
   disc.budget = query.budget;
   disc.length = kInfinity;
-  disc.passage.begin(walls, clearance->bridges(), clearance->state(), query.start, query.goal, query.radius);
+  disc.passage.begin(walls, clearance->bridges(), clearance->state(), query.start, query.goal, query.agent.radius);
   disc.next_look = disc.passage.may_remember() ? kStepsBeforeMemory : kStepsBeforePassage;
   disc.has_guide = !disc.ends.have_common_face();
   if (disc.algorithm == PathAlgorithm::optimal && disc.has_guide) {
@@ -323,7 +324,7 @@ void World::Impl::begin_disc_search(const PathQuery& query, detail::QueryScratch
 
 bool World::Impl::begin_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
   path::reset(path);
-  path.radius = query.radius;
+  path.agent = query.agent;
   path.ends = {query.start, query.goal, query.end_tolerance, false};
   detail::DiscSearch& disc = scratch.disc_search;
   disc.outcome = Outcome::none;
@@ -360,7 +361,7 @@ void World::Impl::find_disc_paths_from(const ManyGoalsQuery& query, detail::Quer
   paths.resize(query.goals.size());
   PathQuery single{.start = query.start,
                    .goal = {},
-                   .radius = query.radius,
+                   .agent = query.agent,
                    .algorithm = PathAlgorithm::optimal,
                    .end_tolerance = query.end_tolerance};
   std::size_t expansions = 0;

@@ -16,20 +16,20 @@ namespace {
 
 std::optional<Error> find_nearest_fit_error(const Box& domain, const Kept& kept, const NearestFitQuery& query) {
   if (auto error = find_point_error(domain, query.point, 0, "the point")) return error;
-  if (auto error = find_disc_radius_error(query.radius)) return error;
+  if (auto error = find_agent_error(query.agent)) return error;
   if (!(query.limit >= 0.0)) {
     return Error{ErrorCode::bad_distance, "the limit is negative or not a number", {}, 0};
   }
   if (!query.goal) return std::nullopt;
   if (auto error = find_point_error(domain, *query.goal, 1, "the goal")) return error;
-  if (query.radius > 0.0 && !kept.has_bridges) {
+  if (query.agent.radius > 0.0 && !kept.has_bridges) {
     return Error{
         ErrorCode::no_bridges,
         "a goal and a radius above 0 need a world that keeps its bridges: create it with the option keep_bridges",
         {},
         0};
   }
-  if (query.radius == 0.0 && !kept.has_abstraction) {
+  if (query.agent.radius == 0.0 && !kept.has_abstraction) {
     return Error{ErrorCode::not_supported, "a goal and the radius 0 need a world that keeps its abstraction", {}, 0};
   }
   return std::nullopt;
@@ -53,18 +53,18 @@ Result<NearestFit> World::nearest_fit(const NearestFitQuery& query) const {
 
 void World::Impl::nearest_fit(const NearestFitQuery& query, detail::QueryScratch& scratch, NearestFit& fit) const {
   fit = {};
-  if (query.radius > 0.0 && query.goal) {
-    fit_disc(*query.goal, query.radius, scratch, scratch.fit);
+  if (query.agent.radius > 0.0 && query.goal) {
+    fit_disc(*query.goal, query.agent, scratch, scratch.fit);
     if (!scratch.fit.fits) return;
   }
-  const auto found = query.radius > 0.0 ? nearest_fit_of_disc(query, scratch) : nearest_free(query, scratch);
+  const auto found = query.agent.radius > 0.0 ? nearest_fit_of_disc(query, scratch) : nearest_free(query, scratch);
   if (found) fit = {true, *found, distance(query.point, *found)};
 }
 
 std::optional<Point> World::Impl::nearest_fit_of_disc(const NearestFitQuery& query,
                                                       detail::QueryScratch& scratch) const {
   scratch.cover_finder.use(kept_abstraction());
-  const clearance::NearestFit::Query of_disc{query.point, query.radius, query.limit};
+  const clearance::NearestFit::Query of_disc{query.point, query.agent.radius, query.limit};
   if (!query.goal) {
     return scratch.nearest_fit.find(triangulation, scratch.cover_finder, scratch.near_walls, of_disc, nullptr);
   }

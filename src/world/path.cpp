@@ -242,7 +242,7 @@ PathPosition Path::nearest(const Point& point, Precision precision) const {
 
 Result<void> Path::polyline(double tolerance, std::vector<Point>& line) const {
   const base::FloatEnvironment environment;
-  if (!(tolerance >= radius * path::kSmallestTolerance)) {
+  if (!(tolerance >= agent.radius * path::kSmallestTolerance)) {
     return Error{
         ErrorCode::bad_distance, "the tolerance is negative, not a number, or below 2^-20 times the radius", {}, 0};
   }

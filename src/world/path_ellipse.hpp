@@ -48,7 +48,7 @@ inline Ellipse ellipse_of(const Path& path) {
   // The length is a sum of rounded lengths. The last term covers the rounding of up to 4 million turns.
   const double largest = std::max(largest_coordinate(ellipse.start), largest_coordinate(ellipse.goal));
   ellipse.length = path.length + 3.0 * moved + 0x1p-30 * (path.length + largest);
-  ellipse.reach = path.radius * (1.0 + 0x1p-30);
+  ellipse.reach = path.agent.radius * (1.0 + 0x1p-30);
   return ellipse;
 }
 

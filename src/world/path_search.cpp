@@ -29,7 +29,7 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
     if (touch_log != nullptr) touch_log->remove_search();
     touch_log = nullptr;
   }
-  [[nodiscard]] bool is_for_disc() const { return query.radius > 0.0; }
+  [[nodiscard]] bool is_for_disc() const { return query.agent.radius > 0.0; }
   void begin() {
     windows.clear();
     if (is_for_disc()) {

@@ -121,7 +121,7 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   struct Watched {
     std::vector<Point> points;
     std::vector<PathPiece> pieces;  ///< empty for a point agent
-    double radius = 0.0;
+    Agent agent;
     std::vector<Pieces::Handle> boxes;  ///< handles in Impl::pieces
     Ellipses::Handle ellipse = 0;       ///< a handle in Impl::ellipses
     bool has_ellipse = false;
@@ -256,7 +256,7 @@ void PathWatch::Impl::add_boxes(std::uint32_t slot) {
     return;
   }
   for (const PathPiece& piece : path.pieces) {
-    const double reach = path.radius * (1.0 + 0x1p-40);
+    const double reach = path.agent.radius * (1.0 + 0x1p-40);
     if (piece.kind == PathPiece::Kind::line) {
       for_each_box_of_line(piece.from, piece.to, reach, domain, add);
     } else {
@@ -364,7 +364,7 @@ bool PathWatch::Impl::turns_in(const Watched& path, const Box& box) {
 /// Returns whether a piece of the path may touch the box.
 bool PathWatch::Impl::touches(const Watched& path, std::uint32_t piece, const Box& box) {
   const std::span<const Point> points = path.points;
-  return path::may_touch(points.subspan(piece, std::min<std::size_t>(points.size(), 2)), box);
+  return path::may_touch(points.subspan(piece, std::min<std::size_t>(points.size(), 2)), 0.0, box);
 }
 
 /// Returns whether the path is clear. If it was clear before, it is enough to look at the stretches that a box touches.
@@ -374,7 +374,7 @@ bool PathWatch::Impl::is_clear(std::uint32_t slot, const World& world, Boxes box
   const std::span<const Point> points = watched[slot].points;
   cover_finder.use(world.impl_->kept_abstraction());
   const auto is_touched = [&](std::size_t i) {
-    const auto touches = [&](const ChangedBox& box) { return path::may_touch(points.subspan(i, 2), box.box); };
+    const auto touches = [&](const ChangedBox& box) { return path::may_touch(points.subspan(i, 2), 0.0, box.box); };
     return std::any_of(boxes.begin(), boxes.end(), touches);
   };
   bool is_sure = can_decide_by_stretches(slot, boxes);
@@ -404,7 +404,8 @@ void PathWatch::Impl::check_box(const ChangedBox& changed, const World& world, B
     const Watched& path = watched[piece.slot];
     if (state.is_for_disc) {
       const std::span<const PathPiece> all = path.pieces;
-      if (!changed.is_insertion || !path::may_touch(all.subspan(piece.index, 1), path.radius, changed.box)) return;
+      if (!changed.is_insertion || !path::may_touch(all.subspan(piece.index, 1), path.agent.radius, changed.box))
+        return;
       state.seen_by = updates;
       return changes.may_be_blocked.push_back(piece.slot);
     }
@@ -442,7 +443,7 @@ void PathWatch::Impl::check_refusals(const World& world, Boxes boxes, bool all) 
       refusals.set_possible(slot);
       keys.mark(slot);
     } else {
-      const bool has_answer = refusals.refusal(slot).radius > 0.0 && barrier;
+      const bool has_answer = refusals.refusal(slot).agent.radius > 0.0 && barrier;
       refusals.set_barrier(slot, barrier, has_answer && !answer.moved_start && !answer.moved_goal);
     }
   }
@@ -454,10 +455,10 @@ void PathWatch::Impl::check_refusals(const World& world, Boxes boxes, bool all) 
 bool PathWatch::Impl::has_become_possible(std::uint32_t slot, const World::Impl& world, std::optional<Box>& barrier) {
   const Refusals::Refusal& refusal = refusals.refusal(slot);
   const QueryEnds& asked = refusal.ends;
-  if (refusal.radius > 0.0) {
+  if (refusal.agent.radius > 0.0) {
     if (!world.clearance) return true;  // the path is not an answer of this world
     PathQuery query{
-        .start = asked.start, .goal = asked.goal, .radius = refusal.radius, .end_tolerance = asked.end_tolerance};
+        .start = asked.start, .goal = asked.goal, .agent = refusal.agent, .end_tolerance = asked.end_tolerance};
     return can_disc_pass(query, refusals.fits_at_ends(slot), world, barrier);
   }
   moved_ends.set_start(world.triangulation, world.kept_abstraction(), asked.start, asked.end_tolerance);
@@ -496,9 +497,9 @@ bool PathWatch::Impl::can_disc_pass(PathQuery& query, bool fits, const World::Im
   const auto start = scratch->near_walls.find_cell(mesh, bridges, query.start);
   const auto goal = scratch->near_walls.find_cell(mesh, bridges, query.goal);
   if (!start || !goal) return true;
-  if (!cell_graph || radius_of_cells != query.radius) {
-    radius_of_cells = query.radius;
-    cell_graph.emplace(mesh, bridges, query.radius);
+  if (!cell_graph || radius_of_cells != query.agent.radius) {
+    radius_of_cells = query.agent.radius;
+    cell_graph.emplace(mesh, bridges, query.agent.radius);
     cell_areas.begin(*cell_graph, cell_graph->key_count());
   }
   Box enclosed;
@@ -524,7 +525,7 @@ void PathWatch::add(std::uint64_t key, const Path& path) {
   Impl::Watched& added = impl_->watched[addition.slot()];
   added.points = path.points;
   added.pieces = path.pieces;
-  added.radius = path.radius;
+  added.agent = path.agent;
   added.is_in_domain = std::all_of(path.points.begin(), path.points.end(),
                                    [&](const Point& p) { return is_point_of(impl_->domain, p); });
   impl_->states[addition.slot()] = {0, !path.pieces.empty(), false};
@@ -533,7 +534,7 @@ void PathWatch::add(std::uint64_t key, const Path& path) {
       path.ends && is_point_of(impl_->domain, path.ends->start) && is_point_of(impl_->domain, path.ends->goal);
   if (path.status != PathStatus::found && has_ends) {
     const double tolerance = path.ends->end_tolerance.value_or(path::default_end_tolerance(impl_->domain));
-    impl_->refusals.add(addition.slot(), {*path.ends, path.radius}, tolerance);
+    impl_->refusals.add(addition.slot(), {*path.ends, path.agent}, tolerance);
   } else {
     const Ellipse ellipse = ellipse_of(path);
     added.ellipse = impl_->ellipses.insert(bounds_of(ellipse), {ellipse, addition.slot()});

@@ -45,7 +45,7 @@ bool meets(std::span<const Point> points, const Box& box) {
 }  // namespace
 
 void World::Impl::find_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
-  if (query.radius > 0.0) {
+  if (query.agent.radius > 0.0) {
     if (!begin_disc_path(query, scratch, path)) step_disc_path(kToTheEnd, scratch, path);
     return;
   }
@@ -103,9 +103,9 @@ Result<void> World::find_paths_from(const ManyGoalsQuery& query, QueryContext& c
   for (std::size_t i = 0; i < query.goals.size(); ++i) {
     if (auto error = find_point_error(domain(), query.goals[i], i + 1, {"goal", i})) return *std::move(error);
   }
-  if (auto error = find_radius_error(impl_->kept(), query.radius)) return *std::move(error);
+  if (auto error = find_agent_error(impl_->kept(), query.agent)) return *std::move(error);
   if (auto error = find_tolerance_error(query.end_tolerance)) return *std::move(error);
-  if (query.radius > 0.0) {
+  if (query.agent.radius > 0.0) {
     impl_->find_disc_paths_from(query, *context.scratch_, paths);
     return {};
   }
@@ -125,33 +125,39 @@ double World::default_end_tolerance() const {
   return path::default_end_tolerance(domain());
 }
 
-Result<bool> World::is_clear(std::span<const Point> points, QueryContext& context) const {
+Result<bool> World::is_clear(std::span<const Point> points, const Agent& agent, QueryContext& context) const {
   const base::FloatEnvironment environment;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (auto error = find_point_error(domain(), points[i], i, {"point", i})) return *std::move(error);
+  }
+  if (auto error = find_agent_error(agent)) return *std::move(error);
+  if (agent.radius > 0.0) {
+    return Error{ErrorCode::not_supported, "is_clear supports only point agents: the radius is above 0", {}, 0};
   }
   context.scratch_->cover_finder.use(impl_->kept_abstraction());
   return context.scratch_->polyline_walk.is_clear(impl_->triangulation, context.scratch_->cover_finder, points);
 }
 
-Result<bool> World::is_clear(std::span<const Point> points) const {
+Result<bool> World::is_clear(std::span<const Point> points, const Agent& agent) const {
   const SpareContext::Loan context = impl_->spare_context.borrow();
-  return is_clear(points, *context);
+  return is_clear(points, agent, *context);
 }
 
-Result<bool> World::is_clear(const Point& from, const Point& to, QueryContext& context) const {
+Result<bool> World::is_clear(const Point& from, const Point& to, const Agent& agent, QueryContext& context) const {
   const std::array<Point, 2> ends = {from, to};
-  return is_clear(ends, context);
+  return is_clear(ends, agent, context);
 }
 
-Result<bool> World::is_clear(const Point& from, const Point& to) const {
+Result<bool> World::is_clear(const Point& from, const Point& to, const Agent& agent) const {
   const SpareContext::Loan context = impl_->spare_context.borrow();
-  return is_clear(from, to, *context);
+  return is_clear(from, to, agent, *context);
 }
 
-bool World::is_affected(std::span<const Point> points, std::uint64_t since) const {
+bool World::is_affected(std::span<const Point> points, std::uint64_t since, const Agent& agent) const {
   const base::FloatEnvironment environment;
-  return !points.empty() && has_box(changes_since(since), [&](const Box& box) { return meets(points, box); });
+  return !points.empty() && has_box(changes_since(since), [&](const Box& box) {
+    return agent.radius > 0.0 ? path::may_touch(points, agent.radius, box) : meets(points, box);
+  });
 }
 
 bool World::is_affected(const Path& path, std::uint64_t since) const {
@@ -160,7 +166,8 @@ bool World::is_affected(const Path& path, std::uint64_t since) const {
     return has_box(changes_since(since), [](const Box&) { return true; });
   }
   if (path.pieces.empty()) return is_affected(path.points, since);
-  return has_box(changes_since(since), [&](const Box& box) { return path::may_touch(path.pieces, path.radius, box); });
+  return has_box(changes_since(since),
+                 [&](const Box& box) { return path::may_touch(path.pieces, path.agent.radius, box); });
 }
 
 std::optional<std::span<const ChangedBox>> World::changes_since(std::uint64_t since) const {

@@ -89,19 +89,6 @@ Result<std::vector<CrossedItem>> World::items_crossed(Point from, Point to) cons
   return items;
 }
 
-Result<void> World::ray(Point from, Point to, RayHit& hit) const {
-  const base::FloatEnvironment environment;
-  if (auto error = find_ends_error(domain(), from, to)) return *std::move(error);
-  constraint::first_wall(impl_->triangulation, from, to, hit);
-  return {};
-}
-
-Result<RayHit> World::ray(Point from, Point to) const {
-  RayHit hit;
-  if (auto done = ray(from, to, hit); !done) return done.error();
-  return hit;
-}
-
 Result<void> World::items_in(const Box& box, QueryContext& context, std::vector<ItemId>& items) const {
   const base::FloatEnvironment environment;
   if (auto error = find_box_error(box)) return *std::move(error);

@@ -14,7 +14,7 @@ void Refusals::add(std::uint32_t slot, const Refusal& refusal, double tolerance)
   if (listed_.capacity() < slots_.capacity()) listed_.reserve(slots_.capacity());
   Entry& entry = entries_[slot];
   entry.refusal = refusal;
-  const double reach = std::min((tolerance + refusal.radius) * (1.0 + 0x1p-30), 4.0 * kLargestCoordinate);
+  const double reach = std::min((tolerance + refusal.agent.radius) * (1.0 + 0x1p-30), 4.0 * kLargestCoordinate);
   const auto insert = [&](const Point& end, Index index) {
     const Box box = Box{end, end}.expanded(reach + slack_of(domain_.min, domain_.max));
     entry.boxes[index] = boxes_.insert(box, {slot, index, Diagonal::none});
@@ -82,11 +82,11 @@ std::span<const std::uint32_t> Refusals::list(std::span<const ChangedBox> change
   if (all || all_points || undecided_ != 0) {
     for (const std::uint32_t slot : slots_) {
       const Entry& entry = entries_[slot];
-      if (all || !entry.is_decided || (all_points && entry.refusal.radius == 0.0)) put(slot, all);
+      if (all || !entry.is_decided || (all_points && entry.refusal.agent.radius == 0.0)) put(slot, all);
     }
   }
   for (const std::uint32_t slot : listed_) entries_[slot].is_listed = false;
-  const auto key = [&](std::uint32_t slot) { return std::tuple(entries_[slot].refusal.radius, slot); };
+  const auto key = [&](std::uint32_t slot) { return std::tuple(entries_[slot].refusal.agent.radius, slot); };
   std::sort(listed_.begin(), listed_.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
   return listed_;
 }

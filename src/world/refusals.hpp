@@ -27,7 +27,7 @@ class Refusals {
   /// What the query said.
   struct Refusal {
     QueryEnds ends;
-    double radius = 0.0;
+    Agent agent;
   };
 
   /// Adds the path of a slot. `tolerance` is the largest distance by which the query moves an end. If memory runs out,

@@ -167,7 +167,7 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   bool begin_disc_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const;
   /// Continues until `path.expansions` reaches `limit`.
   bool step_disc_path(std::size_t limit, detail::QueryScratch& scratch, Path& path) const;
-  void fit_disc(const Point& centre, double radius, detail::QueryScratch& scratch, DiscFit& fit) const;
+  void fit_disc(const Point& centre, const Agent& agent, detail::QueryScratch& scratch, DiscFit& fit) const;
   void nearest_fit(const NearestFitQuery& query, detail::QueryScratch& scratch, NearestFit& fit) const;
   void widest_path(const Point& start, const Point& goal, detail::QueryScratch& scratch, WidestPath& widest) const;
   void write_widest(const clearance::WidestGap& gap, WidestPath& widest) const;
@@ -189,7 +189,7 @@ struct WAYWRIGHT_INTERNAL World::Impl {
   [[nodiscard]] MemoryUse memory() const;
   // The areas of points, for World::would_disconnect().
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> areas_of(PointSpan points, detail::QueryScratch& scratch) const;
-  [[nodiscard]] std::vector<std::vector<std::uint32_t>> areas_of(PointSpan points, double radius,
+  [[nodiscard]] std::vector<std::vector<std::uint32_t>> areas_of(PointSpan points, const Agent& agent,
                                                                  detail::QueryScratch& scratch) const;
   /// Returns the abstraction, or null.
   [[nodiscard]] const nav::Abstraction* kept_abstraction() const { return abstraction ? &*abstraction : nullptr; }

@@ -91,20 +91,20 @@ std::vector<std::vector<std::uint32_t>> World::Impl::areas_of(PointSpan points, 
 
 /// Returns the areas of each point, for a disc. The number of an area is the index of its first point. Requires: the
 /// world keeps its bridges, and the radius is above 0.
-std::vector<std::vector<std::uint32_t>> World::Impl::areas_of(PointSpan points, double radius,
+std::vector<std::vector<std::uint32_t>> World::Impl::areas_of(PointSpan points, const Agent& agent,
                                                               detail::QueryScratch& scratch) const {
   std::vector<Areas> areas(points.size());
   const constraint::ExactTriangulation& walls = clearance->triangulation_of_walls(triangulation);
   const clearance::Cells cells(walls, clearance->bridges());
   std::vector<std::optional<clearance::CellEdge>> cell_of(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    fit_disc(points[i], radius, scratch, scratch.fit);
+    fit_disc(points[i], agent, scratch, scratch.fit);
     if (scratch.fit.fits) cell_of[i] = scratch.near_walls.find_cell(walls, clearance->bridges(), points[i]);
   }
   clearance::DiscReach reach;
   for (std::size_t first = 0; first < points.size(); ++first) {
     if (!cell_of[first] || !areas[first].empty()) continue;
-    reach.begin(cells, *cell_of[first], radius);
+    reach.begin(cells, *cell_of[first], agent.radius);
     for (std::size_t i = first; i < points.size(); ++i) {
       const bool has_no_area = cell_of[i] && areas[i].empty();
       if (has_no_area && reach.is_reached(cells, *cell_of[i])) areas[i].push_back(static_cast<std::uint32_t>(first));
@@ -113,26 +113,26 @@ std::vector<std::vector<std::uint32_t>> World::Impl::areas_of(PointSpan points, 
   return areas;
 }
 
-Result<bool> World::would_disconnect(std::span<const Change> changes, PointSpan points, double radius) {
+Result<bool> World::would_disconnect(std::span<const Change> changes, PointSpan points, const Agent& agent) {
   const base::FloatEnvironment environment;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (auto error = find_point_error(domain(), points[i], i, {"point", i})) return *std::move(error);
   }
-  if (auto error = find_radius_error(impl_->kept(), radius)) return *std::move(error);
-  if (radius == 0.0 && !impl_->abstraction) {
+  if (auto error = find_agent_error(impl_->kept(), agent)) return *std::move(error);
+  if (agent.radius == 0.0 && !impl_->abstraction) {
     return Error{ErrorCode::not_supported, "the radius 0 needs a world that keeps its abstraction", {}, 0};
   }
   const SpareContext::Loan context = impl_->spare_context.borrow();
   detail::QueryScratch& scratch = *(*context).scratch_;
   const auto areas = [&] {
-    return radius > 0.0 ? impl_->areas_of(points, radius, scratch) : impl_->areas_of(points, scratch);
+    return agent.radius > 0.0 ? impl_->areas_of(points, agent, scratch) : impl_->areas_of(points, scratch);
   };
   const std::vector<Areas> before = areas();
   return attempt(changes, [&](const World&) { return is_disconnected(before, areas()); });
 }
 
-Result<bool> World::would_disconnect(const Shape& shape, PointSpan points, double radius) {
-  return would_disconnect(std::array{Change::insert(shape)}, points, radius);
+Result<bool> World::would_disconnect(const Shape& shape, PointSpan points, const Agent& agent) {
+  return would_disconnect(std::array{Change::insert(shape)}, points, agent);
 }
 
 }  // namespace waywright

@@ -18,13 +18,17 @@ class Box(ctypes.Structure):
     _fields_ = [("min", Point), ("max", Point)]
 
 
+class Agent(ctypes.Structure):
+    _fields_ = [("radius", ctypes.c_double)]
+
+
 class PathQuery(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("algorithm", ctypes.c_int32),
         ("start", Point),
         ("goal", Point),
-        ("radius", ctypes.c_double),
+        ("agent", Agent),
         ("end_tolerance", ctypes.c_double),
         ("has_end_tolerance", ctypes.c_int32),
         ("wants_channel", ctypes.c_int32),

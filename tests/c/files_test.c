@@ -170,10 +170,10 @@ void test_pictures(void) {
   query.goal = at(90, 55);
   CHECK_OK(ww_world_find_path(world, &query, context, path));
   CHECK_OK(ww_svg_add_path(overlay, path));
-  query.radius = 5;
+  query.agent.radius = 5;
   CHECK_OK(ww_world_find_path(world, &query, context, path));
   CHECK_OK(ww_svg_add_disc_path(overlay, &query, path));
-  CHECK_OK(ww_world_ray(world, at(10, 50), at(90, 50), context, &hit, ids, 4, &count));
+  CHECK_OK(ww_world_ray(world, at(10, 50), at(90, 50), NULL, context, &hit, ids, 4, &count));
   CHECK_OK(ww_svg_add_ray(overlay, at(10, 50), at(90, 50), &hit, ids, count));
   CHECK_OK(ww_world_locate(world, at(50, 50), context, &location, ids, 4, &count));
   CHECK_OK(ww_svg_add_location(overlay, at(50, 50), &location, ids, count));

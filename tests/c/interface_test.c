@@ -256,11 +256,11 @@ static void test_locating(void) {
   CHECK_OK(ww_world_items_crossed(world, at(50, 50), at(90, 50), context, crossed, 4, &count));
   CHECK(count == 2 && crossed[0].id == 1 && is_at(crossed[0].at, 60, 50));
   CHECK(crossed[1].id == 5 && is_at(crossed[1].at, 80, 50));
-  CHECK_OK(ww_world_ray(world, at(10, 50), at(90, 50), context, &hit, ids, 4, &count));
+  CHECK_OK(ww_world_ray(world, at(10, 50), at(90, 50), NULL, context, &hit, ids, 4, &count));
   CHECK(hit.hit == 1 && is_at(hit.at, 40, 50) && count == 1 && ids[0] == 1);
-  CHECK_OK(ww_world_ray(world, at(90, 50), at(100, 50), context, &hit, ids, 4, &count));
+  CHECK_OK(ww_world_ray(world, at(90, 50), at(100, 50), NULL, context, &hit, ids, 4, &count));
   CHECK(hit.hit == 1 && count == 1 && ids[0] == 0);
-  CHECK_OK(ww_world_sweep_disc(world, at(10, 50), at(90, 50), 5, context, &hit, ids, 4, &count));
+  CHECK_OK(ww_world_ray(world, at(10, 50), at(90, 50), &(ww_agent){5}, context, &hit, ids, 4, &count));
   CHECK(hit.hit == 1 && is_at(hit.at, 35, 50) && is_at(hit.contact, 40, 50) && count == 1 && ids[0] == 1);
   ww_context_destroy(context);
   ww_world_destroy(world);
@@ -279,14 +279,14 @@ static void test_discs(void) {
   CHECK_OK(ww_context_create(&context));
   fit.struct_size = sizeof fit;
   widest.struct_size = sizeof widest;
-  CHECK_OK(ww_world_fit_disc(world, at(30, 50), 12, context, &fits, from, 4, &from_count));
+  CHECK_OK(ww_world_fit_disc(world, at(30, 50), &(ww_agent){12}, context, &fits, from, 4, &from_count));
   CHECK(fits == 0 && from_count == 1 && from[0] == 1);
-  CHECK_OK(ww_world_fit_disc(world, at(30, 50), 10, context, &fits, from, 4, &from_count));
+  CHECK_OK(ww_world_fit_disc(world, at(30, 50), &(ww_agent){10}, context, &fits, from, 4, &from_count));
   CHECK(fits == 1 && from_count == 0);
   CHECK_OK(ww_nearest_fit_query_init(&query, sizeof query));
   CHECK(isinf(query.limit));
   query.point = at(45, 50);
-  query.radius = 5;
+  query.agent.radius = 5;
   CHECK_OK(ww_world_nearest_fit(world, &query, context, &fit));
   CHECK(fit.is_found == 1 && is_at(fit.at, 35, 50) && fit.distance == 10);
   query.limit = 9;
@@ -298,12 +298,13 @@ static void test_discs(void) {
   CHECK_OK(ww_world_nearest_fit(world, &query, context, &fit));
   CHECK(fit.is_found == 1 && is_at(fit.at, 35, 50));
   CHECK_STATUS(ww_world_nearest_fit(plain, &query, context, &fit), WW_NO_BRIDGES);
-  CHECK_OK(
-      ww_world_widest_path(world, at(10, 50), at(90, 50), context, &widest, from, 4, &from_count, to, 4, &to_count));
+  CHECK_OK(ww_world_widest_path(world, at(10, 50), at(90, 50), NULL, context, &widest, from, 4, &from_count, to, 4,
+                                &to_count));
   CHECK(widest.is_connected == 1 && widest.is_limited == 1 && widest.radius == 20);
   CHECK(from_count >= 1 && to_count >= 1 && (from[0] == 1 || to[0] == 1));
-  CHECK_STATUS(ww_world_widest_path(plain, at(10, 50), at(90, 50), context, &widest, NULL, 0, NULL, NULL, 0, NULL),
-               WW_NO_BRIDGES);
+  CHECK_STATUS(
+      ww_world_widest_path(plain, at(10, 50), at(90, 50), NULL, context, &widest, NULL, 0, NULL, NULL, 0, NULL),
+      WW_NO_BRIDGES);
   ww_context_destroy(context);
   ww_world_destroy(plain);
   ww_world_destroy(world);

@@ -68,16 +68,16 @@ static ww_status items_crossed(State* s) {
 static ww_status cast_ray(State* s) {
   ww_ray_hit hit;
   hit.struct_size = sizeof hit;
-  return ww_world_ray(s->world, at(1, 50), at(99, 50), s->context, &hit, NULL, 0, NULL);
+  return ww_world_ray(s->world, at(1, 50), at(99, 50), NULL, s->context, &hit, NULL, 0, NULL);
 }
 static ww_status sweep_disc(State* s) {
   ww_ray_hit hit;
   hit.struct_size = sizeof hit;
-  return ww_world_sweep_disc(s->world, at(10, 50), at(90, 50), 3, s->context, &hit, NULL, 0, NULL);
+  return ww_world_ray(s->world, at(10, 50), at(90, 50), &(ww_agent){3}, s->context, &hit, NULL, 0, NULL);
 }
 static ww_status fit_disc(State* s) {
   ww_bool fits = 0;
-  return ww_world_fit_disc(s->world, at(50, 50), 30, s->context, &fits, NULL, 0, NULL);
+  return ww_world_fit_disc(s->world, at(50, 50), &(ww_agent){30}, s->context, &fits, NULL, 0, NULL);
 }
 static ww_status nearest_fit(State* s) {
   ww_nearest_fit_query query;
@@ -85,7 +85,7 @@ static ww_status nearest_fit(State* s) {
   fit.struct_size = sizeof fit;
   CHECK_OK(ww_nearest_fit_query_init(&query, sizeof query));
   query.point = at(50, 50);
-  query.radius = 2;
+  query.agent.radius = 2;
   query.has_goal = 1;
   query.goal = at(90, 90);
   return ww_world_nearest_fit(s->world, &query, s->context, &fit);
@@ -93,7 +93,8 @@ static ww_status nearest_fit(State* s) {
 static ww_status widest_path(State* s) {
   ww_widest_path widest;
   widest.struct_size = sizeof widest;
-  return ww_world_widest_path(s->world, at(10, 55), at(90, 55), s->context, &widest, NULL, 0, NULL, NULL, 0, NULL);
+  return ww_world_widest_path(s->world, at(10, 55), at(90, 55), NULL, s->context, &widest, NULL, 0, NULL, NULL, 0,
+                              NULL);
 }
 static ww_status bridges(State* s) {
   return ww_world_bridges(s->world, box(0, 0, 100, 100), s->context, NULL, 0, NULL, NULL, 0, NULL);
@@ -143,7 +144,7 @@ static ww_status search_windows(State* s) {
 }
 static ww_status is_clear(State* s) {
   ww_bool answer = 0;
-  return ww_world_is_clear(s->world, kBar, 4, s->context, &answer);
+  return ww_world_is_clear(s->world, kBar, 4, NULL, s->context, &answer);
 }
 static ww_status find_affected(State* s) {
   const ww_path* paths[1];
@@ -206,7 +207,7 @@ static ww_status would_disconnect_with(State* s, double radius) {
   ww_bool answer = 0;
   memset(&change, 0, sizeof change);
   change.shape = &shape;
-  return ww_world_would_disconnect(s->world, &change, 1, kBar, 4, radius, &answer);
+  return ww_world_would_disconnect(s->world, &change, 1, kBar, 4, &(ww_agent){radius}, &answer);
 }
 static ww_status would_disconnect(State* s) { return would_disconnect_with(s, 0); }
 static ww_status would_disconnect_discs(State* s) { return would_disconnect_with(s, 2); }

@@ -37,7 +37,7 @@ ww_path_query query_of(double radius) {
   CHECK_OK(ww_path_query_init(&query, sizeof query));
   query.start = at(10, 55);
   query.goal = at(90, 55);
-  query.radius = radius;
+  query.agent.radius = radius;
   query.wants_channel = 1;
   return query;
 }

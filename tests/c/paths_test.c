@@ -88,7 +88,7 @@ void test_point_paths(void) {
   CHECK_OK(ww_world_find_path(world, &query, context, path));
   CHECK_OK(ww_path_get_info(path, &info));
   CHECK(is_near(info.length, length) && is_near(info.lower_bound, length));
-  query.radius = 1;
+  query.agent.radius = 1;
   CHECK_STATUS(ww_world_find_path(world, &query, context, path), WW_NO_BRIDGES);
   ww_path_destroy(path);
   ww_context_destroy(context);
@@ -117,10 +117,10 @@ void test_disc_paths(void) {
   CHECK_OK(ww_path_query_init(&query, sizeof query));
   query.start = at(20, 50);
   query.goal = at(80, 50);
-  query.radius = 5;
+  query.agent.radius = 5;
   CHECK_OK(ww_world_find_path(world, &query, context, path));
   CHECK_OK(ww_path_get_info(path, &info));
-  CHECK(info.status == WW_PATH_FOUND && info.radius == 5 && info.point_count == 0);
+  CHECK(info.status == WW_PATH_FOUND && info.agent.radius == 5 && info.point_count == 0);
   CHECK_OK(ww_path_pieces(path, pieces, 8, &count));
   CHECK(count == 3 && pieces[0].kind == WW_PIECE_LINE && pieces[1].kind == WW_PIECE_ARC);
   CHECK(is_at(pieces[1].centre, 50, 60) && pieces[1].radius == 5 && pieces[1].end_angle < pieces[1].start_angle);
@@ -130,7 +130,7 @@ void test_disc_paths(void) {
   CHECK(widest.is_connected == 0);
   query.start = at(21, 50);
   query.goal = at(79, 50);
-  query.radius = 20.5; /* the gap above the wall is 40 wide */
+  query.agent.radius = 20.5; /* the gap above the wall is 40 wide */
   CHECK_OK(ww_world_find_path(world, &query, context, path));
   CHECK_OK(ww_path_get_info(path, &info));
   CHECK(info.status == WW_PATH_NO_PATH && info.has_widest == 1);
@@ -303,19 +303,19 @@ void test_following_changes(void) {
     query.goal = at(90, i == 0 ? 90 : 30);
     CHECK_OK(ww_world_find_path(world, &query, context, paths[i]));
   }
-  CHECK_OK(ww_world_is_clear(world, line, 2, context, &answer));
+  CHECK_OK(ww_world_is_clear(world, line, 2, NULL, context, &answer));
   CHECK(answer == 1);
-  CHECK_OK(ww_world_is_clear_between(world, at(10, 50), at(90, 50), context, &answer));
+  CHECK_OK(ww_world_is_clear_between(world, at(10, 50), at(90, 50), NULL, context, &answer));
   CHECK(answer == 0);
   CHECK_OK(ww_world_version(world, &version));
   CHECK_OK(ww_world_insert_segment(world, at(20, 20), at(20, 40), 0, NULL));
-  CHECK_OK(ww_world_is_affected(world, line, 2, version, &answer));
+  CHECK_OK(ww_world_is_affected(world, line, 2, NULL, version, &answer));
   CHECK(answer == 1);
   CHECK_OK(ww_world_is_path_affected(world, paths[0], version, &answer));
   CHECK(answer == 0);
   CHECK_OK(ww_world_find_affected(world, (const ww_path* const*)paths, 2, version, indices, 2, &count));
   CHECK(count == 1 && indices[0] == 1);
-  CHECK_OK(ww_world_is_clear(world, line, 2, context, &answer));
+  CHECK_OK(ww_world_is_clear(world, line, 2, NULL, context, &answer));
   CHECK(answer == 0);
   for (i = 0; i < 2; ++i) ww_path_destroy(paths[i]);
   ww_context_destroy(context);

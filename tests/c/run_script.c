@@ -142,13 +142,8 @@ static void cast_ray(Run* run, const ww_script_line* line) {
   ww_status status;
   hit.struct_size = sizeof hit;
   do {
-    if (line->has_radius) {
-      status = ww_world_sweep_disc(run->world, line->from, line->to, line->radius, run->context, &hit, run->ids,
-                                   run->id_capacity, &run->id_count);
-    } else {
-      status = ww_world_ray(run->world, line->from, line->to, run->context, &hit, run->ids, run->id_capacity,
-                            &run->id_count);
-    }
+    status = ww_world_ray(run->world, line->from, line->to, &line->agent, run->context, &hit, run->ids,
+                          run->id_capacity, &run->id_count);
   } while (must_repeat(run, status));
   if (!is_done(line, status)) return;
   print_opening(line);
@@ -170,7 +165,7 @@ static void fit_disc(Run* run, const ww_script_line* line) {
   ww_bool fits = 0;
   ww_status status;
   do {
-    status = ww_world_fit_disc(run->world, line->from, line->radius, run->context, &fits, run->ids, run->id_capacity,
+    status = ww_world_fit_disc(run->world, line->from, &line->agent, run->context, &fits, run->ids, run->id_capacity,
                                &run->id_count);
   } while (must_repeat(run, status));
   if (!is_done(line, status)) return;
@@ -186,7 +181,7 @@ static void find_nearest_fit(Run* run, const ww_script_line* line) {
   fit.struct_size = sizeof fit;
   must(ww_nearest_fit_query_init(&query, sizeof query), "ww_nearest_fit_query_init");
   query.point = line->from;
-  query.radius = line->radius;
+  query.agent = line->agent;
   query.has_goal = line->has_goal;
   query.goal = line->to;
   if (!is_done(line, ww_world_nearest_fit(run->world, &query, run->context, &fit))) return;
@@ -272,7 +267,7 @@ static void find_path(Run* run, const ww_script_line* line) {
   must(ww_path_query_init(&query, sizeof query), "ww_path_query_init");
   query.start = line->from;
   query.goal = line->to;
-  query.radius = line->radius;
+  query.agent = line->agent;
   if (line->has_algorithm) query.algorithm = line->algorithm;
   query.has_end_tolerance = line->has_end_tolerance;
   query.end_tolerance = line->end_tolerance;
@@ -301,7 +296,8 @@ static void find_path(Run* run, const ww_script_line* line) {
 static void test_clear(Run* run, const ww_script_line* line) {
   ww_bool is_clear = 0;
   shape_of_line(run);
-  if (!is_done(line, ww_world_is_clear(run->world, run->points, run->point_count, run->context, &is_clear))) return;
+  if (!is_done(line, ww_world_is_clear(run->world, run->points, run->point_count, NULL, run->context, &is_clear)))
+    return;
   print_opening(line);
   printf(",\"clear\":%s}\n", is_clear ? "true" : "false");
 }
@@ -424,7 +420,7 @@ int main(int argc, char** argv) {
   must(ww_world_options_init(&options, sizeof options), "ww_world_options_init");
   for (i = 0; i < count; ++i) { /* the same condition as in the command */
     const ww_script_line line = line_at(script, i);
-    if ((line.kind == WW_SCRIPT_PATH || line.has_goal) && line.radius > 0) options.keep_bridges = 1;
+    if ((line.kind == WW_SCRIPT_PATH || line.has_goal) && line.agent.radius > 0) options.keep_bridges = 1;
   }
   must(ww_world_create(domain, &options, &run.world), "ww_world_create");
   must(ww_world_keep_history(run.world, count), "ww_world_keep_history");

@@ -49,7 +49,7 @@ static void find_path(const ww_world* world, ww_point start, ww_point goal, doub
   CHECK_OK(ww_path_query_init(&query, sizeof query));
   query.start = start;
   query.goal = goal;
-  query.radius = radius;
+  query.agent.radius = radius;
   CHECK_OK(ww_world_find_path(world, &query, context, path));
   CHECK_OK(ww_path_get_info(path, &info));
   CHECK(info.status == WW_PATH_FOUND);

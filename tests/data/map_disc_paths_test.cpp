@@ -117,7 +117,7 @@ class Checker {
 
  private:
   const Path& find(const ScenarioQuery& query, double radius, PathAlgorithm algorithm) {
-    PathQuery asked{.start = query.start, .goal = query.goal, .radius = radius, .end_tolerance = 0.0};
+    PathQuery asked{.start = query.start, .goal = query.goal, .agent = {.radius = radius}, .end_tolerance = 0.0};
     asked.algorithm = algorithm;
     world_.find_path(asked, context_, path_).value();
     if (path_.status == PathStatus::found) {

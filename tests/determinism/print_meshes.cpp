@@ -74,12 +74,13 @@ void print_point(const Point& point) { std::cout << ' ' << bits_of(point.x) << '
 /// Prints which items stop discs at a point, and the nearest points where these discs fit.
 void print_fits(const World& world, const Point& start, const Point& goal, double extent) {
   for (const double radius : {0.0, 0x1p-8 * extent, 0x1p-5 * extent, 0x1p-3 * extent}) {
-    const Result<DiscFit> fit = world.fit_disc(start, radius);
+    const Result<DiscFit> fit = world.fit_disc(start, {.radius = radius});
     std::cout << "disc";
     if (!fit) std::cout << ' ' << to_string(fit.error().code);
     if (fit) print_ids(fit->items);
     for (const std::optional<Point>& wanted : {std::optional<Point>(), std::optional(goal)}) {
-      const Result<NearestFit> nearest = world.nearest_fit({.point = start, .radius = radius, .goal = wanted});
+      const Result<NearestFit> nearest =
+          world.nearest_fit({.point = start, .agent = {.radius = radius}, .goal = wanted});
       if (!nearest) continue;
       std::cout << ' ' << nearest->is_found << ' ' << bits_of(nearest->distance);
       print_point(nearest->at);
@@ -99,7 +100,7 @@ void print_disc_path(const World& world, const PathQuery& query, double extent) 
   }
   std::cout << '\n';
   print_walk(*path, 0x1p-9 * extent);
-  const Result<RayHit> touched = world.sweep_disc(query.start, query.goal, query.radius);
+  const Result<RayHit> touched = world.ray(query.start, query.goal, query.agent);
   if (!touched) return;
   std::cout << "sweep " << touched->hit;
   for (const Point& point : {touched->at, touched->contact}) print_point(point);
@@ -112,7 +113,8 @@ void print_discs(const World& world, const Point& start, const Point& goal, doub
   print_fits(world, start, goal, extent);
   for (const double radius : {0x1p-10 * extent, 0x1p-6 * extent, 0x1p-4 * extent}) {
     for (const PathAlgorithm algorithm : {PathAlgorithm::optimal, PathAlgorithm::tra}) {
-      print_disc_path(world, {.start = start, .goal = goal, .radius = radius, .algorithm = algorithm}, extent);
+      print_disc_path(world, {.start = start, .goal = goal, .agent = {.radius = radius}, .algorithm = algorithm},
+                      extent);
     }
   }
   const Result<WidestPath> widest = world.widest_path(start, goal);

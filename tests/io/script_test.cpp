@@ -91,17 +91,17 @@ TEST(ParseScript, ReadsTheOtherOperations) {
   const ScriptLine swept = parsed_one("ray 1 2 3 4 0.5");
   EXPECT_EQ(swept.to, (Point{3, 4}));
   EXPECT_TRUE(swept.has_radius);
-  EXPECT_EQ(swept.radius, 0.5);
+  EXPECT_EQ(swept.agent.radius, 0.5);
 
   const ScriptLine disc = parsed_one("disc 1 2 0.5");
   EXPECT_EQ(disc.kind, ScriptLineKind::disc);
   EXPECT_EQ(disc.from, (Point{1, 2}));
-  EXPECT_EQ(disc.radius, 0.5);
+  EXPECT_EQ(disc.agent.radius, 0.5);
 
   const ScriptLine nearest = parsed_one("nearest 3 4 0.25");
   EXPECT_EQ(nearest.kind, ScriptLineKind::nearest);
   EXPECT_EQ(nearest.from, (Point{3, 4}));
-  EXPECT_EQ(nearest.radius, 0.25);
+  EXPECT_EQ(nearest.agent.radius, 0.25);
   EXPECT_FALSE(nearest.has_goal);
   const ScriptLine with_goal = parsed_one("nearest 3 4 0.25 goal 5 6");
   EXPECT_TRUE(with_goal.has_goal);
@@ -113,7 +113,7 @@ TEST(ParseScript, ReadsPathsWithOrWithoutAnAlgorithm) {
   EXPECT_EQ(plain.kind, ScriptLineKind::path);
   EXPECT_EQ(plain.from, (Point{1, 2}));
   EXPECT_EQ(plain.to, (Point{3, 4}));
-  EXPECT_EQ(plain.radius, 0.5);
+  EXPECT_EQ(plain.agent.radius, 0.5);
   EXPECT_EQ(plain.algorithm, std::nullopt);
   EXPECT_EQ(parsed_one("path 1 2 3 4 0 ta").algorithm, PathAlgorithm::ta);
   EXPECT_EQ(parsed_one("path 1 2 3 4 0 tra").algorithm, PathAlgorithm::tra);
@@ -124,7 +124,7 @@ TEST(ParseScript, LeavesRangesToTheWorld) {
   const ScriptLine huge = parsed_one("point 1 1e999 nan");
   EXPECT_EQ(huge.item.shape.rings[0][0].x, std::numeric_limits<double>::infinity());
   EXPECT_TRUE(std::isnan(huge.item.shape.rings[0][0].y));
-  EXPECT_EQ(parsed_one("disc 50 50 -1").radius, -1.0);
+  EXPECT_EQ(parsed_one("disc 50 50 -1").agent.radius, -1.0);
 }
 
 TEST(ToString, IsTheWordOfTheLine) {

@@ -61,13 +61,13 @@ TEST(AllocationFree, WarmQueriesAboutItemsAndTheMesh) {
       world.items_crossed(point, {1000 - point.y, point.x}, context, crossed).value();
       world.items_in({point - Point{20, 10}, point + Point{90, 60}}, context, in).value();
       world.items_in({{2000, 2000}, {3000, 3000}}, context, in).value();
-      world.fit_disc(point, 5.0 + i, context, fit).value();
-      world.nearest_fit({.point = point, .radius = 1.0 + 0.1 * i}, context, nearest).value();
+      world.fit_disc(point, {.radius = 5.0 + i}, context, fit).value();
+      world.nearest_fit({.point = point, .agent = {.radius = 1.0 + 0.1 * i}}, context, nearest).value();
       answers += nearest.is_found ? 1 : 0;
-      world.nearest_fit({.point = point, .radius = 1, .goal = nearest.at}, context, nearest).value();
-      world.widest_path(point, {1000 - point.y, point.x}, context, widest).value();
-      world.sweep_disc(point, {1000 - point.y, point.x}, 0.1 + 0.25 * (i % 8), context, hit).value();
-      world.sweep_disc({1 + point.x, 2}, {1 + point.x, 990}, 1, context, hit).value();
+      world.nearest_fit({.point = point, .agent = {.radius = 1}, .goal = nearest.at}, context, nearest).value();
+      world.widest_path(point, {1000 - point.y, point.x}, {}, context, widest).value();
+      world.ray(point, {1000 - point.y, point.x}, {.radius = 0.1 + 0.25 * (i % 8)}, context, hit).value();
+      world.ray({1 + point.x, 2}, {1 + point.x, 990}, {.radius = 1}, context, hit).value();
       answers += at.size() + crossed.size() + fit.items.size() + widest.to_items.size();
     }
     for (std::uint64_t id = 1; id <= world.item_count(); ++id) world.shape(id, shape).value();
@@ -94,7 +94,7 @@ TEST(AllocationFree, WarmPathsOfDiscs) {
       for (int i = 0; i < 12; ++i) {
         const Point start{20, 20 + 80.0 * i};
         const PathQuery query{
-            .start = start, .goal = {980, 980 - start.y}, .radius = 0.5 + 2.0 * i, .algorithm = algorithm};
+            .start = start, .goal = {980, 980 - start.y}, .agent = {.radius = 0.5 + 2.0 * i}, .algorithm = algorithm};
         world.find_path(query, context, path).value();
         found += path.status == PathStatus::found ? 1 : 0;
       }
@@ -111,7 +111,8 @@ TEST(AllocationFree, WalksOfDiscs) {
   const std::uint64_t version = world.version();
   std::vector<Path> paths;
   for (int i = 1; i < 30; ++i) {
-    paths.push_back(world.find_path({.start = {50, 30.0 * i + 20}, .goal = {980, 500}, .radius = 0.5 * i}).value());
+    paths.push_back(
+        world.find_path({.start = {50, 30.0 * i + 20}, .goal = {980, 500}, .agent = {.radius = 0.5 * i}}).value());
   }
   world.insert_segment({400, 450}, {600, 550}).value();
   std::vector<Point> line;
@@ -156,15 +157,15 @@ TEST(AllocationFree, FormsOfAQueryAgree) {
     ASSERT_EQ(crossed, world.items_crossed(point, other).value());
     world.items_in(box, context, ids).value();
     ASSERT_EQ(ids, world.items_in(box).value());
-    world.fit_disc(point, 5.0 + i, context, fit).value();
-    ASSERT_EQ(fit, world.fit_disc(point, 5.0 + i).value());
-    const NearestFitQuery query{.point = point, .radius = 2, .goal = other};
+    world.fit_disc(point, {.radius = 5.0 + i}, context, fit).value();
+    ASSERT_EQ(fit, world.fit_disc(point, {.radius = 5.0 + i}).value());
+    const NearestFitQuery query{.point = point, .agent = {.radius = 2}, .goal = other};
     world.nearest_fit(query, context, nearest).value();
     ASSERT_EQ(nearest, world.nearest_fit(query).value());
-    world.widest_path(point, other, context, widest).value();
+    world.widest_path(point, other, {}, context, widest).value();
     ASSERT_EQ(widest, world.widest_path(point, other).value());
-    world.sweep_disc(point, other, 0.5 * i, context, hit).value();
-    ASSERT_EQ(hit, world.sweep_disc(point, other, 0.5 * i).value());
+    world.ray(point, other, {.radius = 0.5 * i}, context, hit).value();
+    ASSERT_EQ(hit, world.ray(point, other, {.radius = 0.5 * i}).value());
   }
   world.items_in({{2000, 2000}, {3000, 3000}}, context, ids).value();
   EXPECT_EQ(ids, std::vector<ItemId>());
@@ -233,14 +234,14 @@ TEST(AllocationFree, Refusals) {
     expect_refused(world.find_paths_from({{1, 1}, goals}, context, paths), ErrorCode::out_of_domain);
     expect_refused(search.begin(world, queries[0]), ErrorCode::out_of_domain);
     expect_refused(world.locate({1, -1}, context, location), ErrorCode::out_of_domain);
-    expect_refused(world.ray({1, 1}, {2000, 1}, hit), ErrorCode::out_of_domain);
-    expect_refused(world.sweep_disc({1, 1}, {2000, 1}, 1, context, hit), ErrorCode::out_of_domain);
-    expect_refused(world.sweep_disc({1, 1}, {2, 1}, -1, context, hit), ErrorCode::bad_radius);
-    expect_refused(world.fit_disc({1, -1}, 1, context, fit), ErrorCode::out_of_domain);
-    expect_refused(world.fit_disc({1, 1}, -1, context, fit), ErrorCode::bad_radius);
+    expect_refused(world.ray({1, 1}, {2000, 1}, {}, context, hit), ErrorCode::out_of_domain);
+    expect_refused(world.ray({1, 1}, {2000, 1}, {.radius = 1}, context, hit), ErrorCode::out_of_domain);
+    expect_refused(world.ray({1, 1}, {2, 1}, {.radius = -1}, context, hit), ErrorCode::bad_radius);
+    expect_refused(world.fit_disc({1, -1}, {.radius = 1}, context, fit), ErrorCode::out_of_domain);
+    expect_refused(world.fit_disc({1, 1}, {.radius = -1}, context, fit), ErrorCode::bad_radius);
     expect_refused(path.polyline(-1, line), ErrorCode::bad_distance);
-    expect_refused(world.widest_path({1, 1}, {-1, 1}, context, widest), ErrorCode::out_of_domain);
-    expect_refused(without_bridges.widest_path({1, 1}, {2, 1}, context, widest), ErrorCode::no_bridges);
+    expect_refused(world.widest_path({1, 1}, {-1, 1}, {}, context, widest), ErrorCode::out_of_domain);
+    expect_refused(without_bridges.widest_path({1, 1}, {2, 1}, {}, context, widest), ErrorCode::no_bridges);
     expect_refused(world.items_at({1, kNan}, context, ids), ErrorCode::coordinate_range);
     expect_refused(world.items_crossed({1, 1}, {-1, 1}, context, crossed), ErrorCode::out_of_domain);
     expect_refused(world.items_in({{3, 3}, {2, 2}}, context, ids), ErrorCode::bad_domain);

@@ -289,7 +289,7 @@ World world_of_triangles() {
 }
 
 PathQuery query_by(PathAlgorithm algorithm, const Point& start, const Point& goal) {
-  PathQuery query{start, goal, 0.0, algorithm};
+  PathQuery query{start, goal, {}, algorithm};
   query.budget.expansions = PathBudget::kNoLimit;
   query.wants_channel = true;
   return query;
@@ -387,10 +387,10 @@ void expect_equal_pieces(const Path& path, const Path& expected, std::size_t n) 
 
 TEST(MemoryFailureOf, QueriesForDiscsLeaveNothingToTheNext) {
   const World world = world_for_discs();
-  const PathQuery back{.start = {980, 20}, .goal = {20, 980}, .radius = 3};
+  const PathQuery back{.start = {980, 20}, .goal = {20, 980}, .agent = {.radius = 3}};
   const std::vector<Point> goals{{980, 980}, {20, 980}, {5, 5}};
   const std::vector<Path> expected = world.find_paths_from({back.start, goals, 3, true}).value();
-  const RayHit expected_hit = world.sweep_disc({980, 20}, {20, 980}, 3).value();
+  const RayHit expected_hit = world.ray({980, 20}, {20, 980}, {.radius = 3}).value();
   std::size_t failures = 0;
   for (std::size_t n = 1;; ++n, ++failures) {
     QueryContext context;
@@ -398,10 +398,10 @@ TEST(MemoryFailureOf, QueriesForDiscsLeaveNothingToTheNext) {
     RayHit hit;
     const bool is_through = gets_through(n, [&] {
       world.find_paths_from({{20, 20}, goals, 5, true}, context, paths).value();
-      world.sweep_disc({20, 20}, {980, 980}, 2, context, hit).value();
+      world.ray({20, 20}, {980, 980}, {.radius = 2}, context, hit).value();
     });
     if (is_through) break;
-    world.sweep_disc({980, 20}, {20, 980}, 3, context, hit).value();
+    world.ray({980, 20}, {20, 980}, {.radius = 3}, context, hit).value();
     EXPECT_EQ(hit, expected_hit) << "after allocation " << n << " failed";
     world.find_paths_from({back.start, goals, 3, true}, context, paths).value();
     for (std::size_t i = 0; i < goals.size(); ++i) expect_equal_pieces(paths[i], expected[i], n);
@@ -413,7 +413,7 @@ TEST(MemoryFailureOf, ASearchForADiscInSlicesIsGivenUp) {
   const World world = world_for_discs();
   for (const PathAlgorithm algorithm : {PathAlgorithm::optimal, PathAlgorithm::tra}) {
     SCOPED_TRACE(to_string(algorithm));
-    const PathQuery across{.start = {20, 20}, .goal = {980, 980}, .radius = 3, .algorithm = algorithm};
+    const PathQuery across{.start = {20, 20}, .goal = {980, 980}, .agent = {.radius = 3}, .algorithm = algorithm};
     const Path expected = world.find_path(across).value();
     const auto expect = [&](const Path& path, std::size_t n) { expect_equal_pieces(path, expected, n); };
     EXPECT_GT(count_given_up_searches(world, across, expect), 5U);

@@ -107,12 +107,12 @@ TEST(MemoryGrowth, WarmQueriesAllocateNothing) {
       const Point start{-990 + 20.0 * i, -990};
       const Point goal{990 - 10.0 * i, 990};
       for (const PathAlgorithm algorithm : {PathAlgorithm::ta, PathAlgorithm::tra, PathAlgorithm::optimal}) {
-        world.find_path({start, goal, 0.0, algorithm, {PathBudget::kNoLimit}, true}, context, path).value();
+        world.find_path({start, goal, {}, algorithm, {PathBudget::kNoLimit}, true}, context, path).value();
       }
       world.find_paths_from({start, goals, 0.0, true}, context, paths).value();
       world.find_paths_from({start, many_goals, 0.0, true}, context, many_paths).value();
       world.locate(start, context, location).value();
-      world.ray(start, {990 - 10.0 * i, 990}, hit).value();
+      world.ray(start, {990 - 10.0 * i, 990}, {}, context, hit).value();
       world.locate({10.0 * i, 5.0 * i}, context, location).value();
     }
   };

@@ -324,7 +324,8 @@ std::size_t expansions_through_doors(int n, double jitter) {
     world.insert_polyline(ring).value();
   }
   const Point start{-0.22 * size, 0.36 * size};
-  const Path path = world.find_path({.start = start, .goal = {-0.7 * size, 0.95 * size}, .radius = 0.25}).value();
+  const Path path =
+      world.find_path({.start = start, .goal = {-0.7 * size, 0.95 * size}, .agent = {.radius = 0.25}}).value();
   EXPECT_EQ(path.status, PathStatus::found);
   return path.expansions;
 }

@@ -71,7 +71,7 @@ struct Bend {
     const Point leave = point_at(line + arc_length());
     Path path;
     path.status = PathStatus::found;
-    path.radius = radius;
+    path.agent.radius = radius;
     path.pieces = {{PathPiece::Kind::line, point_at(0), arrive, {}, 0.0, 0.0, 0.0},
                    {PathPiece::Kind::arc, arrive, leave, centre, radius, start, start + turn},
                    {PathPiece::Kind::line, leave, point_at(length()), {}, 0.0, 0.0, 0.0}};
@@ -260,7 +260,7 @@ TEST(DiscPathPositions, AShortLineHasTheHeadingOfItsArcs) {
   const Point other = joint + Point{0x1p-43, 0};
   Path path;
   path.status = PathStatus::found;
-  path.radius = 2;
+  path.agent.radius = 2;
   path.pieces = {{PathPiece::Kind::arc, {1002, 1000}, joint, {1000, 1000}, 2, 0, end},
                  {PathPiece::Kind::line, joint, other, {}, 0, 0, 0},
                  {PathPiece::Kind::arc, other, {0, 0}, {0, 0}, 2, end + 3.14159265358979, end - 1}};
@@ -272,10 +272,10 @@ TEST(DiscPathPositions, AShortLineHasTheHeadingOfItsArcs) {
 TEST(DiscPathPositions, KeepTheRadiusFromAllWalls) {
   double worst = 0.0;
   disc::for_each_path([&](const disc::NamedScene& scene, const disc::Walls& walls, const Path& path) {
-    const double ulp = 0x1p-52 * std::max(disc::largest_coordinate(scene.domain), path.radius);
+    const double ulp = 0x1p-52 * std::max(disc::largest_coordinate(scene.domain), path.agent.radius);
     for (int i = 0; i <= 40; ++i) {
       const PathPosition position = path.at(path.length * i / 40);
-      const double missing = path.radius - disc::check_path(walls, position.at, position.at, 0.0, {}).clearance;
+      const double missing = path.agent.radius - disc::check_path(walls, position.at, position.at, 0.0, {}).clearance;
       worst = std::max(worst, missing / ulp);
       ASSERT_LE(missing, 8 * ulp) << "at " << position.distance;
     }
@@ -303,7 +303,7 @@ TEST(DiscPathPositions, HaveNoJumpInTheirHeading) {
   double worst = 0.0;
   double worst_line = 0.0;
   disc::for_each_path([&](const disc::NamedScene& scene, const disc::Walls&, const Path& path) {
-    const double ulp = 0x1p-52 * std::max(disc::largest_coordinate(scene.domain), path.radius);
+    const double ulp = 0x1p-52 * std::max(disc::largest_coordinate(scene.domain), path.agent.radius);
     for (std::size_t i = 0; i < path.pieces.size(); ++i) {
       const PathPiece& piece = path.pieces[i];
       const double length = path::length_of(piece);
@@ -325,14 +325,15 @@ TEST(DiscPathPositions, HaveNoJumpInTheirHeading) {
 
 TEST(DiscPathPositions, OfAPathWithoutLengthAreItsPoint) {
   const World world = World::create({{0, 0}, {10, 10}}, {.keep_bridges = true}).value();
-  const Path path = world.find_path({.start = {4, 5}, .goal = {4, 5}, .radius = 1, .wants_time = true}).value();
+  const Path path =
+      world.find_path({.start = {4, 5}, .goal = {4, 5}, .agent = {.radius = 1}, .wants_time = true}).value();
   for (const PathPosition& position : {path.at(0), path.at(3), path.nearest({8, 8}), path.advance(path.at(0), 1)}) {
     EXPECT_EQ(position.at, (Point{4, 5}));
     EXPECT_EQ(position.heading, (Point{0, 0}));
     EXPECT_EQ(position.distance, 0);
   }
   EXPECT_EQ(path.polyline(0.1).value(), (std::vector<Point>{{4, 5}}));
-  EXPECT_EQ(path.radius, 1);
+  EXPECT_EQ(path.agent.radius, 1);
 }
 
 }  // namespace

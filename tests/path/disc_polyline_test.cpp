@@ -42,16 +42,16 @@ const PathPiece* only_arc(const Path& path) {
 TEST(DiscPolyline, KeepsTheRadiusWithoutTheTolerance) {
   double worst = 0.0;
   disc::for_each_path([&](const disc::NamedScene& scene, const disc::Walls& walls, const Path& path) {
-    const double ulp = 0x1p-52 * std::max(disc::largest_coordinate(scene.domain), path.radius);
+    const double ulp = 0x1p-52 * std::max(disc::largest_coordinate(scene.domain), path.agent.radius);
     std::vector<Point> points;
     for (const double share : {10.0, 0.5, 0.25, 0.03, 0.001, 1e-5}) {
-      path.polyline(path.radius * share, points).value();
+      path.polyline(path.agent.radius * share, points).value();
       ASSERT_EQ(points.front(), path.pieces.front().from);
       ASSERT_EQ(points.back(), path.pieces.back().to);
-      const double tolerance = path.radius * std::min(share, 0.5);
+      const double tolerance = path.agent.radius * std::min(share, 0.5);
       const disc::PathReport report = disc::check_path(walls, points.front(), points.back(), 0.0, lines_of(points));
       ASSERT_EQ(report.fault, "");
-      const double missing = path.radius - tolerance - report.clearance;
+      const double missing = path.agent.radius - tolerance - report.clearance;
       worst = std::max(worst, missing / ulp);
       ASSERT_LE(missing, 8 * ulp) << "tolerance " << tolerance;
       ASSERT_LE(report.length, path.length * (1 + 1e-12) + 100 * ulp);
@@ -72,10 +72,11 @@ TEST(DiscPolyline, HasAsFewPointsAsTheToleranceAllows) {
     if (arc == nullptr || distance(arc->from, arc->to) < 0x1p-30 * disc::largest_coordinate(scene.domain)) return;
     ++arcs;
     for (const double share : {0.5, 0.25, 0.03, 0.001, 1e-5}) {
-      const std::size_t chords = path.polyline(path.radius * share).value().size() - 3;
-      ASSERT_TRUE(is_smallest(chords, *arc, static_cast<Real>(path.radius) * share)) << chords << " for " << share;
+      const std::size_t chords = path.polyline(path.agent.radius * share).value().size() - 3;
+      ASSERT_TRUE(is_smallest(chords, *arc, static_cast<Real>(path.agent.radius) * share))
+          << chords << " for " << share;
     }
-    ASSERT_TRUE(is_smallest(path.polyline(1e9 * path.radius).value().size() - 3, *arc, arc->radius * 0.5L));
+    ASSERT_TRUE(is_smallest(path.polyline(1e9 * path.agent.radius).value().size() - 3, *arc, arc->radius * 0.5L));
   });
   EXPECT_GE(arcs, 20U);
 }
@@ -83,7 +84,7 @@ TEST(DiscPolyline, HasAsFewPointsAsTheToleranceAllows) {
 Path half_circle() {
   Path path;
   path.status = PathStatus::found;
-  path.radius = 4;
+  path.agent.radius = 4;
   path.pieces = {{PathPiece::Kind::arc, {5, 0}, {-3, 0}, {1, 0}, 4, 0, 3.141592653589793}};
   path.length = 4 * 3.141592653589793;
   return path;

@@ -190,7 +190,7 @@ TEST(PathSearch, NoticesThatTheStraightPathHasBecomeFree) {
       for (double y = 1.5; y < 99; y += 3) world.insert_point({x, y}).value();
     }
     const ItemId wall = world.insert_segment({60.5, 43}, {60.5, 56}).value();
-    const PathQuery query{{1, 50}, {99, 50}, 0.0, algorithm};
+    const PathQuery query{{1, 50}, {99, 50}, {}, algorithm};
     PathSearch search;
     ASSERT_TRUE(search.begin(world, query).ok());
     world.remove(wall).value();
@@ -262,7 +262,7 @@ TEST_P(SlicedSearch, AnswersAsFindPathDoesInTheWorldOfItsLastSlice) {
     Random random(seed);
     PathSearch search;
     for (const Ends& ends : path_case.queries) {
-      PathQuery query{ends.start, ends.goal, 0.0, algorithm};
+      PathQuery query{ends.start, ends.goal, {}, algorithm};
       query.budget.expansions = random.chance(50) ? PathBudget::kNoLimit : 0;
       query.wants_channel = true;
       ASSERT_TRUE(search.begin(world, query).ok());
@@ -361,7 +361,7 @@ TEST(ManyPaths, OnManyThreadsAreThoseFoundAlone) {
   }
   EXPECT_TRUE(setting.world.find_paths({}, 3).value().empty());
   std::vector<PathQuery> queries = setting.queries;
-  queries[5].radius = -1.0;
+  queries[5].agent.radius = -1.0;
   const auto refused = setting.world.find_paths(queries, 2);
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, ErrorCode::bad_radius);

@@ -30,7 +30,7 @@ constexpr Box kTen = {{0, 0}, {10, 10}};
 class PointPaths : public testing::TestWithParam<PathAlgorithm> {
  protected:
   [[nodiscard]] static Path path_of(const World& world, Point start, Point goal) {
-    return world.find_path({start, goal, 0.0, GetParam()}).value();
+    return world.find_path({start, goal, {}, GetParam()}).value();
   }
 };
 
@@ -49,7 +49,7 @@ TEST_P(PointPaths, StraightThroughEmptySpace) {
 // The diagonal of the box starts at its first corner.
 TEST_P(PointPaths, AStraightPathCrossesTheEdgesOnIt) {
   const World world = world_of(kTen, {});
-  PathQuery query{{1, 2}, {9, 7}, 0.0, GetParam()};
+  PathQuery query{{1, 2}, {9, 7}, {}, GetParam()};
   query.wants_channel = true;
   const Path there = world.find_path(query).value();
   EXPECT_EQ(there.channel, (std::vector<Portal>{{{10, 10}, {0, 0}}}));
@@ -217,7 +217,7 @@ TEST(PathQueries, RefuseWhatCannotBeDone) {
   EXPECT_EQ(code({{0, 0}, {1, 1}, -1.0}), ErrorCode::bad_radius);
   EXPECT_EQ(code({{0, 0}, {1, 1}, std::nan("")}), ErrorCode::bad_radius);
   EXPECT_EQ(code({{0, 0}, {1, 1}, 1.0}), ErrorCode::no_bridges);
-  EXPECT_EQ(bare.find_path({{0, 0}, {1, 1}, 0.0, PathAlgorithm::tra}).error().code, ErrorCode::not_supported);
+  EXPECT_EQ(bare.find_path({{0, 0}, {1, 1}, {}, PathAlgorithm::tra}).error().code, ErrorCode::not_supported);
 }
 
 TEST_P(PointPaths, AnswersDependOnTheWorldAlone) {
@@ -228,7 +228,7 @@ TEST_P(PointPaths, AnswersDependOnTheWorldAlone) {
   QueryContext context;
   Path path;
   for (int i = 0; i < 20; ++i) {
-    const PathQuery query{{0.5, 0.5 * i}, {9.5, 9.5 - 0.4 * i}, 0.0, GetParam()};
+    const PathQuery query{{0.5, 0.5 * i}, {9.5, 9.5 - 0.4 * i}, {}, GetParam()};
     ASSERT_TRUE(forwards.find_path(query, context, path).ok());
     const Path other = backwards.find_path(query).value();
     EXPECT_EQ(path.points, other.points);

@@ -94,7 +94,7 @@ std::size_t check_against_oracle(const PathCase& path_case, const WorldOptions& 
     const bool expected = !oracle.check_path(oracle::to_oracle(points)).has_value();
     std::string text;
     for (const Point& p : points) text += text_of(p) + "; ";
-    EXPECT_EQ(world.is_clear(points, context).value(), expected) << text;
+    EXPECT_EQ(world.is_clear(points, {}, context).value(), expected) << text;
     clear += expected ? 1 : 0;
   };
   for (int i = 0; i < 12; ++i) {

@@ -232,10 +232,11 @@ TEST(SearchWindows, AreEmptyUnlessTheyAreRecorded) {
     EXPECT_TRUE(searched(world, other).windows().empty());
   }
   PathQuery disc = query;
-  disc.radius = 0.25;
+  disc.agent.radius = 0.25;
   EXPECT_TRUE(searched(world, disc).windows().empty());
   EXPECT_TRUE(searched(world, {.start = {0.5, 0.5}, .goal = {0.5, 0.75}}).windows().empty()) << "nothing between";
 }
+}  // namespace
 
 TEST(SearchWindows, BeginAgainWithTheSearch) {
   World world = scattered_world(8, 6);
@@ -254,5 +255,5 @@ TEST(SearchWindows, BeginAgainWithTheSearch) {
   EXPECT_EQ(list_of(search), windows) << "a change after the search does not matter";
 }
 
-}  // namespace
+}  // namespace waywright::test
 }  // namespace waywright::test

@@ -31,7 +31,7 @@ void expect_equal_paths(const World& a, const World& b, bool has_bridges) {
     if (radius > 0.0 && !has_bridges) continue;
     const PathQuery query{.start = domain.min + (domain.max - domain.min) * 0.1,
                           .goal = domain.min + (domain.max - domain.min) * 0.9,
-                          .radius = radius};
+                          .agent = {.radius = radius}};
     const Path of_a = a.find_path(query).value();
     const Path of_b = b.find_path(query).value();
     ASSERT_EQ(of_a.status, of_b.status);

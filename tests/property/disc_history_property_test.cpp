@@ -28,7 +28,7 @@ using DiscQueryEnds = std::pair<Point, Point>;
 
 /// A query with an algorithm, a budget and a tolerance that `variant` chooses.
 PathQuery disc_query_of(const DiscQueryEnds& ends, double radius, unsigned variant, double size) {
-  PathQuery query{.start = ends.first, .goal = ends.second, .radius = radius};
+  PathQuery query{.start = ends.first, .goal = ends.second, .agent = {.radius = radius}};
   query.algorithm = variant % 3 == 0   ? PathAlgorithm::tra
                     : variant % 3 == 1 ? PathAlgorithm::optimal
                                        : PathAlgorithm::ta;
@@ -52,13 +52,14 @@ std::size_t compare_discs(const World& world, const World& other, const DiscQuer
     EXPECT_EQ(a.expansions, b.expansions);
     if (a.status == PathStatus::found) ++found;
   }
-  EXPECT_EQ(world.fit_disc(ends.first, radius).value(), other.fit_disc(ends.first, radius).value());
+  EXPECT_EQ(world.fit_disc(ends.first, {.radius = radius}).value(),
+            other.fit_disc(ends.first, {.radius = radius}).value());
   EXPECT_EQ(world.widest_path(ends.first, ends.second).value(), other.widest_path(ends.first, ends.second).value());
-  EXPECT_EQ(world.sweep_disc(ends.first, ends.second, radius).value(),
-            other.sweep_disc(ends.first, ends.second, radius).value());
+  EXPECT_EQ(world.ray(ends.first, ends.second, {.radius = radius}).value(),
+            other.ray(ends.first, ends.second, {.radius = radius}).value());
   for (const std::optional<Point>& goal : {std::optional<Point>{}, std::optional<Point>{ends.second}}) {
-    EXPECT_EQ(world.nearest_fit({.point = ends.first, .radius = radius, .goal = goal}).value(),
-              other.nearest_fit({.point = ends.first, .radius = radius, .goal = goal}).value());
+    EXPECT_EQ(world.nearest_fit({.point = ends.first, .agent = {.radius = radius}, .goal = goal}).value(),
+              other.nearest_fit({.point = ends.first, .agent = {.radius = radius}, .goal = goal}).value());
   }
   return found;
 }

@@ -47,7 +47,7 @@ World moved_world(const Scene& scene, Movement move) {
 }
 
 Path find(const World& world, const Ends& ends, PathAlgorithm algorithm, Movement move) {
-  PathQuery query{move(ends.start), move(ends.goal), 0.0, algorithm};
+  PathQuery query{move(ends.start), move(ends.goal), {}, algorithm};
   query.end_tolerance = 0.0;  // a moved end is a rounded point, which may not be symmetric
   return world.find_path(query).value();
 }

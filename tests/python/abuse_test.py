@@ -59,8 +59,8 @@ def test_arrays_of_no_numbers(world, points):
         with pytest.raises(TypeError, match="points must be numbers") as caught:
             call()
         assert len(str(caught.value)) < 100
-    with pytest.raises(TypeError, match="radius must be a number"):
-        world.find_paths([(1, 1)], [(2, 2)], radius="x")
+    with pytest.raises(TypeError, match="agent must be an Agent"):
+        world.find_paths([(1, 1)], [(2, 2)], agent="x")
     assert world.items_hash == before
 
 
@@ -197,7 +197,7 @@ def test_damaged_pickles(world, seed):
     things = [
         *(world.find_path((10, 50), (90, 50), 5), world.find_path((10, 50), (90, 50), wants_channel=True)),
         *(world.find_path((10, 70), (90, 70), 30), world.find_path((10, 50), (90, 50)).at(3), world.locate((50, 50))),
-        *(world.ray((10, 50), (90, 50)), world.fit_disc((38, 50), 5), world.nearest_fit((45, 50), 5)),
+        *(world.ray((10, 50), (90, 50)), world.fit_disc((38, 50), waywright.Agent(radius=5)), world.nearest_fit((45, 50), waywright.Agent(radius=5))),
         *(world.widest_path((10, 70), (90, 70)), world.snapshot(), world.shape(1), Change.replace(1, world.shape(2)), world),
     ]
     for thing in things:

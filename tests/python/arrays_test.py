@@ -26,7 +26,7 @@ def test_paths_and_shapes_share_their_memory(world):
     assert points.tolist() == [[10, 45], [40, 40], [60, 40], [90, 45]]
     shape = world.shape(1)
     assert addresses(shape.rings[0]) == addresses(shape.points)
-    disc = world.find_path((10, 45), (90, 45), radius=5)
+    disc = world.find_path((10, 45), (90, 45), agent=waywright.Agent(radius=5))
     assert disc.pieces.base is not None and addresses(disc.pieces) == addresses(disc.pieces)
     assert disc.pieces["kind"].tolist() == [0, 1, 0, 1, 0]
     assert disc.pieces["from"][0].tolist() == [10, 45] and disc.pieces["to"][-1].tolist() == [90, 45]
@@ -86,12 +86,12 @@ def many_walls(count=300, **options):
 def test_batches_give_the_answers_of_single_queries(threads):
     world = many_walls(keep_bridges=True)
     starts, goals = crossing_queries(200)
-    radius = np.where(np.arange(200) % 2 == 0, 0.0, 0.7)
-    batch = world.find_paths(starts, goals, radius, threads=threads)
+    agents = [waywright.Agent(radius=0.0 if i % 2 == 0 else 0.7) for i in range(200)]
+    batch = world.find_paths(starts, goals, agents, threads=threads)
     assert len(batch) == 200 and batch.offsets[-1] == len(batch.points)
     statuses = set()
     for i in range(200):
-        path = world.find_path(starts[i], goals[i], radius[i])
+        path = world.find_path(starts[i], goals[i], agents[i])
         statuses.add(path.status)
         assert waywright.PATH_STATUSES[batch.statuses[i]] == path.status
         assert batch.lengths[i] == path.length
@@ -106,18 +106,18 @@ def test_other_batches_give_the_answers_of_single_queries():
     world = many_walls()
     starts, goals = crossing_queries(150)
     hits = world.rays(starts, goals, threads=2)
-    discs = world.rays(starts, goals, 0.5, threads=2)
-    fits = world.fit_discs(starts, 0.8)
-    nearest = world.nearest_fits(starts, np.full(150, 1.5), threads=2)
+    discs = world.rays(starts, goals, waywright.Agent(radius=0.5), threads=2)
+    fits = world.fit_discs(starts, waywright.Agent(radius=0.8))
+    nearest = world.nearest_fits(starts, [waywright.Agent(radius=1.5)] * 150, threads=2)
     ids, offsets = world.items_at_all(np.concatenate([starts, [world.shape(3).points[0]]]))
     assert ids[offsets[-2] : offsets[-1]].tolist() == [3]
     clear = world.are_clear(starts, goals, threads=2)
     for i, (start, goal) in enumerate(zip(starts, goals)):
-        for batch, hit in ((hits, world.ray(start, goal)), (discs, world.sweep_disc(start, goal, 0.5))):
+        for batch, hit in ((hits, world.ray(start, goal)), (discs, world.ray(start, goal, waywright.Agent(radius=0.5)))):
             assert batch.hit[i] == hit.hit and tuple(batch.at[i]) == hit.at and tuple(batch.contact[i]) == hit.contact
             assert batch.items[batch.offsets[i] : batch.offsets[i + 1]].tolist() == hit.items
-        assert fits[i] == world.fit_disc(start, 0.8).fits
-        assert tuple(nearest.at[i]) == world.nearest_fit(start, 1.5).at
+        assert fits[i] == world.fit_disc(start, waywright.Agent(radius=0.8)).fits
+        assert tuple(nearest.at[i]) == world.nearest_fit(start, waywright.Agent(radius=1.5)).at
         assert clear[i] == world.is_clear([start, goal])
     assert 0 < clear.sum() < 150 and 0 < fits.sum() < 150
 

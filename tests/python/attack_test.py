@@ -93,7 +93,7 @@ world = Level((0, 0, 100, 100), keep_bridges=True)
 world.insert_segment((50, 0), (50, 60))
 path, disc = world.find_path((20, 50), (80, 50)), world.find_path((20, 50), (80, 50), 5)
 things = [world, world.clone(), path, disc, path.at(1), world.locate((50, 50)), world.ray((20, 50), (80, 50))]
-things += [world.fit_disc((49, 50), 5), world.nearest_fit((49, 50), 5), world.widest_path((20, 50), (80, 50))]
+things += [world.fit_disc((49, 50), waywright.Agent(radius=5)), world.nearest_fit((49, 50), waywright.Agent(radius=5)), world.widest_path((20, 50), (80, 50))]
 things += [world.bridges(), world.snapshot(), world.shape(1), waywright.Change.remove(1)]
 for thing in things:
     for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
@@ -108,7 +108,7 @@ print("end")
 
 
 def test_a_pickled_arc_that_is_too_large(world):
-    path = world.find_path((10, 45), (90, 45), radius=5)
+    path = world.find_path((10, 45), (90, 45), agent=waywright.Agent(radius=5))
     make, arguments, state = path.__reduce_ex__(4)[:3]
     pieces = path.pieces.copy()
     pieces["radius"][1] = 1e30
@@ -171,7 +171,6 @@ def test_masked_arrays(world):
         lambda: world.insert_points(hidden),
         lambda: world.insert_points([*hidden]),
         lambda: world.find_paths(hidden, hidden),
-        lambda: world.find_paths([(1, 1)], [(2, 2)], radius=np.ma.array([1.0], mask=[1])),
         lambda: world.insert({"type": "LineString", "coordinates": hidden}),
         lambda: world.insert_ragged("segment", [(1, 1), (2, 2)], np.ma.array([0, 2], mask=[0, 1])),
         lambda: Shape.polygon(hidden),
@@ -201,9 +200,8 @@ def test_shapes_of_arrays(world):
     for bad in (np.zeros((0, 3)), np.zeros((5, 0)), [[]], np.zeros((0, 2, 2)), np.float64(3), np.zeros(4)):
         with pytest.raises(ValueError, match="shape"):
             world.insert_points(bad)
-    for bad in ([[1.0, 1.0]], np.ones((2, 1))):
-        with pytest.raises(ValueError, match="radius"):
-            world.find_paths([(1, 1), (2, 2)], [(3, 3), (4, 4)], radius=bad)
+    with pytest.raises(ValueError, match="one for each query"):
+        world.find_paths([(1, 1), (2, 2)], [(3, 3), (4, 4)], agent=[waywright.Agent()])
     for bad in (np.zeros((2, 2), int), np.int64(0), [[0, 2]]):
         with pytest.raises(ValueError, match="offsets"):
             world.insert_ragged("segment", [(1, 1), (2, 2)], bad)
@@ -260,7 +258,7 @@ def test_geojson_of_shapes_without_points():
 
 
 def test_pieces_count_from_the_end(world):
-    batch = world.find_paths([(10, 45), (10, 70)], [(90, 45), (90, 70)], radius=5)
+    batch = world.find_paths([(10, 45), (10, 70)], [(90, 45), (90, 70)], agent=waywright.Agent(radius=5))
     assert len(batch.pieces_of(-1)) == len(batch.pieces_of(1)) == 1
     assert len(batch.pieces_of(-2)) == 5
     for bad in (2, -3):

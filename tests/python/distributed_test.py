@@ -8,7 +8,7 @@ import time
 import numpy as np
 import pytest
 import waywright
-from waywright import Change, Shape, World
+from waywright import Agent, Change, Shape, World
 
 distributed = pytest.importorskip("distributed")
 from waywright.distributed import DistributedWorld, _Worlds, State, Operation, WorkerError, find_paths_in_worlds  # noqa: E402
@@ -47,9 +47,9 @@ def test_the_answers_are_those_of_one_process(client):
     world = walls(1, keep_bridges=True)
     starts, goals = queries(2000)
     everywhere, done = DistributedWorld(client, world), []
-    for radius in (0.0, np.where(np.arange(2000) % 2, 0.5, 0.0)):
-        batch = everywhere.find_paths(starts, goals, radius, progress=lambda *numbers: done.append(numbers))
-        assert batch.to_bytes() == world.find_paths(starts, goals, radius).to_bytes()
+    for agent in (Agent(), [Agent(radius=0.5 * (i % 2)) for i in range(2000)]):
+        batch = everywhere.find_paths(starts, goals, agent, progress=lambda *numbers: done.append(numbers))
+        assert batch.to_bytes() == world.find_paths(starts, goals, agent).to_bytes()
     assert done[-1][0] == done[-1][1] > 1
     assert everywhere.find_paths(starts, goals, chunk_size=7).to_bytes() == world.find_paths(starts, goals).to_bytes()
     assert len(everywhere.find_paths([], [])) == 0

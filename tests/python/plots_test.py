@@ -13,7 +13,7 @@ from matplotlib import pyplot  # noqa: E402
 def test_a_plot_shows_the_items_and_the_paths(world):
     world.insert_point((5, 5))
     figure, ax = pyplot.subplots()
-    path = world.find_path((10, 45), (90, 45), radius=5)
+    path = world.find_path((10, 45), (90, 45), agent=waywright.Agent(radius=5))
     assert world.plot(ax, mesh=True, paths=path, ids=True) is ax
     solids, walls = ax.collections[:2]
     assert len(solids.get_paths()) == 1 and len(walls.get_segments()) == 1
@@ -55,7 +55,7 @@ def test_the_directions_of_rings_do_not_matter_for_even_odd(fill):
 
 
 def test_svg(world):
-    path = world.find_path((10, 45), (90, 45), radius=5)
+    path = world.find_path((10, 45), (90, 45), agent=waywright.Agent(radius=5))
     svg = world.to_svg(
         [path, world.find_path((1, 1), (9, 9))],
         discs=[((10, 45), 5.0)],

@@ -25,10 +25,7 @@ def locate(world, line):
 
 
 def ray(world, line):
-    if line.has_radius:
-        hit = world.sweep_disc(line.start, line.end, line.radius)
-    else:
-        hit = world.ray(line.start, line.end)
+    hit = world.ray(line.start, line.end, line.agent)
     if not hit:
         return {"hit": False}
     contact = {"contact": pair(hit.contact)} if line.has_radius else {}
@@ -36,12 +33,12 @@ def ray(world, line):
 
 
 def disc(world, line):
-    fit = world.fit_disc(line.start, line.radius)
+    fit = world.fit_disc(line.start, line.agent)
     return {"free": fit.fits, "items": fit.items}
 
 
 def nearest(world, line):
-    fit = world.nearest_fit(line.start, line.radius, goal=line.end if line.has_goal else None)
+    fit = world.nearest_fit(line.start, line.agent, goal=line.end if line.has_goal else None)
     return {"found": True, "at": pair(fit.at)} if fit else {"found": False}
 
 
@@ -58,7 +55,7 @@ def pieces_of(path):
 
 def find_path(world, line):
     path = world.find_path(
-        line.start, line.end, line.radius, line.algorithm or "optimal", end_tolerance=line.end_tolerance
+        line.start, line.end, line.agent, line.algorithm or "optimal", end_tolerance=line.end_tolerance
     )
     if path:
         answer = {"found": True, "length": number(path.length), "pieces": list(pieces_of(path))}
@@ -121,7 +118,7 @@ def carry_out(world, line):
 def answers(text, name):
     """Yields the answers of a script."""
     script = waywright.parse_script(text, name)
-    needs_bridges = any((line.word == "path" or line.has_goal) and line.radius > 0 for line in script.lines)
+    needs_bridges = any((line.word == "path" or line.has_goal) and line.agent.radius > 0 for line in script.lines)
     world = waywright.World(script.domain, keep_bridges=needs_bridges)
     world.keep_history(sum(line.word == "mark" for line in script.lines))
     for line in script.lines:

@@ -8,10 +8,11 @@ import threading
 import numpy as np
 import pytest
 import waywright
-from waywright import Change, PathSearch, PathWatch, Shape, Snapshot, World
+from waywright import Agent, Change, PathSearch, PathWatch, Shape, Snapshot, World
 
 GENERATOR = np.random.default_rng(5)
 STARTS, GOALS = GENERATOR.uniform(1, 99, (2, 60, 2))
+DISC = Agent(radius=0.5)
 WALL = Shape.segment((50, 10), (50, 90))
 
 # What a snapshot has and a world gives at another time, or has not at all; and what only a world has.
@@ -45,8 +46,8 @@ def answers(world, path, tmp_path):
     result = {name: getattr(world, name) for name in FACTS}
     result |= {name: getattr(world, name)() for name in ("item_ids", "items", "dump", "mesh_hash", "validate", "to_bytes")}
     result |= {name: [getattr(world, name)(a) for a, _ in pairs] for name in ("locate", "items_at")}
-    result |= {name: [getattr(world, name)(a, b) for a, b in pairs] for name in ("items_crossed", "ray", "widest_path")}
-    result |= {name: [getattr(world, name)(a, 1.5) for a, _ in pairs] for name in ("fit_disc", "nearest_fit")}
+    result |= {name: [getattr(world, name)(a, b) for a, b in pairs] for name in ("items_crossed", "widest_path")}
+    result |= {name: [getattr(world, name)(a, DISC) for a, _ in pairs] for name in ("fit_disc", "nearest_fit")}
     result |= {
         "save": (tmp_path / "saved.wwb").read_bytes(),
         "clone": world.clone().mesh_hash(),
@@ -59,13 +60,13 @@ def answers(world, path, tmp_path):
         "items_in": world.items_in((10, 10, 60, 60)),
         "bridges": pickle.dumps(world.bridges()),
         "is_clear": [world.is_clear([a, b]) for a, b in pairs],
-        "sweep_disc": [world.sweep_disc(a, b, 0.5) for a, b in pairs],
+        "ray": [world.ray(a, b, agent) for a, b in pairs for agent in (Agent(), DISC)],
         "find_path": [pickle.dumps(world.find_path(a, b)) for a, b in pairs],
-        "find_paths": world.find_paths(STARTS, GOALS, 0.4, threads=2).to_bytes(),
+        "find_paths": world.find_paths(STARTS, GOALS, DISC, threads=2).to_bytes(),
         "find_paths_from": [found.length for found in world.find_paths_from((1, 1), GOALS, wants_points=True)],
-        "rays": pickle.dumps(world.rays(STARTS, GOALS, 0.4, threads=2)),
-        "fit_discs": world.fit_discs(STARTS, 1.5, threads=2),
-        "nearest_fits": pickle.dumps(world.nearest_fits(STARTS, 1.5)),
+        "rays": pickle.dumps(world.rays(STARTS, GOALS, DISC, threads=2)),
+        "fit_discs": world.fit_discs(STARTS, DISC, threads=2),
+        "nearest_fits": pickle.dumps(world.nearest_fits(STARTS, DISC)),
         "items_at_all": world.items_at_all(STARTS),
         "are_clear": world.are_clear(STARTS, GOALS),
         "is_affected": (world.is_affected(path, 1), world.is_affected(path.points, 3)),

@@ -100,16 +100,16 @@ def test_pickle_and_copy(world):
 
 
 def test_other_objects_pickle(world):
-    path = world.find_path((10, 50), (90, 50), radius=5)
+    path = world.find_path((10, 50), (90, 50), agent=waywright.Agent(radius=5))
     for each in (
         path,
         world.find_path((10, 50), (90, 50), wants_channel=True),
         world.find_path((50, 50), (90, 50)),
-        world.find_path((10, 70), (90, 70), radius=30),
+        world.find_path((10, 70), (90, 70), agent=waywright.Agent(radius=30)),
         path.at(3),
         world.ray((10, 50), (90, 50)),
-        world.fit_disc((38, 50), 5),
-        world.nearest_fit((45, 50), 5),
+        world.fit_disc((38, 50), waywright.Agent(radius=5)),
+        world.nearest_fit((45, 50), waywright.Agent(radius=5)),
         world.widest_path((10, 70), (90, 70)),
         world.locate((50, 50)),
         world.snapshot(),
@@ -195,10 +195,10 @@ def test_queries(world):
     hit = world.ray((10, 50), (90, 50))
     assert hit and (hit.at, hit.contact, hit.items) == ((40, 50), (40, 50), [1])
     assert not world.ray((10, 10), (90, 10))
-    assert world.sweep_disc((10, 50), (90, 50), 5).contact == (40, 50)
-    assert world.fit_disc((2, 50), 5).items == [0]
-    assert world.nearest_fit((45, 50), 5, goal=(10, 10)).at == (35, 50)
-    assert not world.nearest_fit((45, 50), 5, limit=2)
+    assert world.ray((10, 50), (90, 50), waywright.Agent(radius=5)).contact == (40, 50)
+    assert world.fit_disc((2, 50), waywright.Agent(radius=5)).items == [0]
+    assert world.nearest_fit((45, 50), waywright.Agent(radius=5), goal=(10, 10)).at == (35, 50)
+    assert not world.nearest_fit((45, 50), waywright.Agent(radius=5), limit=2)
     widest = world.widest_path((10, 70), (90, 70))
     assert widest.is_connected and widest.is_limited and widest.radius == 20 and widest.gap[0][1] == 40 or widest.gap
 

@@ -32,7 +32,7 @@ inline void expect_equal(const Path& path, const Path& expected) {
   EXPECT_EQ(path.pieces, expected.pieces);
   EXPECT_EQ(path.blockers, expected.blockers);
   EXPECT_EQ(path.widest, expected.widest);
-  EXPECT_EQ(path.radius, expected.radius);
+  EXPECT_EQ(path.agent.radius, expected.agent.radius);
   EXPECT_EQ(path.moved_start, expected.moved_start);
   EXPECT_EQ(path.moved_goal, expected.moved_goal);
 }
@@ -66,7 +66,7 @@ void for_each_path(const Check& check) {
     for (const auto& [start, goal] : scene.queries) {
       for (const double radius : scene.radii) {
         const Path path =
-            world.find_path({.start = start, .goal = goal, .radius = radius, .end_tolerance = 0.0}).value();
+            world.find_path({.start = start, .goal = goal, .agent = {.radius = radius}, .end_tolerance = 0.0}).value();
         if (path.status != PathStatus::found) continue;
         SCOPED_TRACE(scene.name + ", " + to_string(start) + " to " + to_string(goal) + ", " + std::to_string(radius));
         check(scene, walls, path);

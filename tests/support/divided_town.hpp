@@ -55,7 +55,7 @@ class DividedTown {
   [[nodiscard]] PathQuery query(double radius, PathAlgorithm algorithm = PathAlgorithm::optimal) {
     const bool starts_left = random.chance(50);
     const Point start = point(starts_left);
-    return {.start = start, .goal = point(!starts_left), .radius = radius, .algorithm = algorithm};
+    return {.start = start, .goal = point(!starts_left), .agent = {.radius = radius}, .algorithm = algorithm};
   }
 
   World world;

@@ -48,7 +48,7 @@ struct Answers {
     for (int i = 0; i < 3; ++i) {
       PathQuery query{random_point(flavour, domain, random), random_point(flavour, domain, random)};
       for (const double radius : {0.0, (domain.max.x - domain.min.x) / 64}) {
-        query.radius = radius;
+        query.agent.radius = radius;
         if (radius > 0.0 && !world.options().keep_bridges) continue;
         const Path path = world.find_path(query).value();
         points.push_back(path.points);

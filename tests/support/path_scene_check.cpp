@@ -101,7 +101,7 @@ class PathCaseCheck {
   }
 
   Fault check_ray(const World& world, const Ends& ends, const oracle::OracleHit& expected) {
-    const Result<void> done = world.ray(ends.start, ends.goal, hit_);
+    const Result<void> done = world.ray(ends.start, ends.goal, {}, context_, hit_);
     if (!done) return done.error().message();
     std::vector<std::uint64_t> ids;
     for (const ItemId id : hit_.items) ids.push_back(id.value);

@@ -35,9 +35,9 @@ Answers ask(const World& world, const std::vector<Point>& points) {
     answers.paths.push_back(path.points);
     answers.paths.push_back(world.find_path({points[i], points[i - 1]}).value().points);  // the world's own context
     answers.inside.push_back(world.items_in({points[i], points[i]}).value());
-    world.fit_disc(points[i], 500, context, fit).value();
+    world.fit_disc(points[i], {.radius = 500}, context, fit).value();
     answers.inside.push_back(fit.items);
-    world.widest_path(points[i - 1], points[i], context, widest).value();
+    world.widest_path(points[i - 1], points[i], {}, context, widest).value();
     answers.widest.push_back(widest);
     answers.widest.push_back(world.widest_path(points[i], points[i - 1]).value());
   }

@@ -64,7 +64,7 @@ World make_yard() {
 }
 
 SvgDiscPath disc_path(const World& world, const Point& start, const Point& goal, double radius) {
-  const PathQuery query{.start = start, .goal = goal, .radius = radius};
+  const PathQuery query{.start = start, .goal = goal, .agent = {.radius = radius}};
   return {query, world.find_path(query).value()};
 }
 
@@ -108,7 +108,7 @@ TEST(SvgDiscs, DrawsTheDiscWhereThePathEndsAfterTheSearchHasMovedTheGoal) {
   world.insert(Shape::polygon({{60, 30}, {90, 30}, {90, 70}, {60, 70}})).value();
   const SvgOptions options = bare_options();
   const SvgFrame frame = frame_of(world, options);
-  const PathQuery query{.start = {20, 50}, .goal = {75, 50}, .radius = 5, .end_tolerance = 50.0};
+  const PathQuery query{.start = {20, 50}, .goal = {75, 50}, .agent = {.radius = 5}, .end_tolerance = 50.0};
   const json drawn = drawing_of(world, {.disc_paths = {{query, world.find_path(query).value()}}}, options);
   const std::vector<json> discs = elements_of(drawn, "disc-paths", "circle");
   ASSERT_EQ(discs.size(), 2U);
@@ -244,7 +244,7 @@ TEST(SvgDiscs, SurvivesHostileNumbers) {
     SvgOverlay overlay;
     for (int member = 0; member < 8; ++member) {
       SvgDiscPath path = good;
-      if (member == 0) path.query.radius = bad;
+      if (member == 0) path.query.agent.radius = bad;
       if (member == 1) path.query.start.x = bad;
       if (member == 2) path.answer.pieces.at(1).radius = bad;
       if (member == 3) path.answer.pieces.at(1).end_angle = bad;

@@ -40,11 +40,11 @@ test('only numbers are radii, lengths and tolerances', () => {
   const walkers = new Walkers(1);
   for (const bad of NO_NUMBERS.slice(1)) {
     for (const call of [
-      () => world.fitDisc(at(1, 1), bad), () => world.sweepDisc(at(1, 1), at(2, 2), bad),
-      () => world.findPath({ ...QUERY, radius: bad }), () => world.findPath({ ...QUERY, endTolerance: bad }),
+      () => world.fitDisc(at(1, 1), { radius: bad }), () => world.ray(at(1, 1), at(2, 2), { radius: bad }),
+      () => world.findPath({ ...QUERY, agent: { radius: bad } }), () => world.findPath({ ...QUERY, endTolerance: bad }),
       () => world.findPath({ ...QUERY, budgetExpansions: bad }), () => world.findPath({ ...QUERY, budgetNanoseconds: bad }),
-      () => world.findPaths([1, 1, 2, 2], { radius: bad }), () => world.nearestFit({ point: at(1, 1), limit: bad }),
-      () => world.findPathsFrom({ start: at(1, 1), goals: [2, 2], radius: bad }), () => world.wouldDisconnect([], [], bad),
+      () => world.findPaths([1, 1, 2, 2], { agent: { radius: bad } }), () => world.nearestFit({ point: at(1, 1), limit: bad }),
+      () => world.findPathsFrom({ start: at(1, 1), goals: [2, 2], agent: { radius: bad } }), () => world.wouldDisconnect([], [], { radius: bad }),
       () => path.at(bad), () => path.advance(path.at(0), bad), () => path.polyline(bad), () => walkers.set(0, path, bad),
       () => walkers.advance(bad), () => Shape.regularPolygon(at(1, 1), bad, 3), () => Shape.regularPolygon(at(1, 1), 1, bad),
       () => translated(Shape.point(at(1, 1)), bad, 1), () => new SvgOverlay().addPolyline([1, 1], bad),

@@ -119,7 +119,7 @@ test('arguments with getters that call the package', () => {
   const act = () => {
     other.locate(at(70, 50));
     other.insertPolyline([3, 97, 4, 98, 5, 97], 77);
-    other.findPath({ start: at(90, 90), goal: at(95, 95), radius: 1 });
+    other.findPath({ start: at(90, 90), goal: at(95, 95), agent: { radius: 1 } });
     other.findPaths(spiral(2000), { algorithm: 'tra' });
     other.remove(77);
     other.ray(at(88, 88), at(89, 89));
@@ -136,13 +136,13 @@ test('arguments with getters that call the package', () => {
   same(hash, changes);
   same((list, points) => world.wouldDisconnect(list, points, 1), changes, [at(10, 70), at(50, 40)]);
   same((from, to) => world.ray(from, to), at(1, 1), at(90, 1));
-  same((from, to) => world.sweepDisc(from, to, 1), at(5, 5), at(90, 5));
+  same((from, to) => world.ray(from, to, { radius: 1 }), at(5, 5), at(90, 5));
   same((box) => world.itemsIn(box), { min: at(30, 30), max: at(65, 65) });
   same((query) => [...world.findPath(query).points()], { ...QUERY, algorithm: 'ta', budgetExpansions: 100 });
-  same((query) => world.findPath(query).pieces(), { ...QUERY, radius: 3, start: at(10, 60) });
+  same((query) => world.findPath(query).pieces(), { ...QUERY, agent: { radius: 3 }, start: at(10, 60) });
   same((ends, options) => [...world.findPaths(ends, options).points().points], [10, 70, 50, 40, 1, 1, 90, 5], { algorithm: 'optimal' });
   same((query) => [...world.findPathsFrom(query).lengths()], { start: at(1, 1), goals: [at(50, 40), at(5, 5)], wantsPoints: true });
-  same((query) => world.nearestFit(query), { point: at(70, 50), radius: 2, goal: at(1, 1) });
+  same((query) => world.nearestFit(query), { point: at(70, 50), agent: { radius: 2 }, goal: at(1, 1) });
   same((point) => world.locate(point), at(70, 50));
   same((query) => world.widestPath(query.start, query.goal), QUERY);
   same((points) => world.isClear(points), [at(1, 1), at(2, 2), at(90, 1)]);
@@ -165,7 +165,7 @@ test('an argument that disposes of the object that the call is about', () => {
     (world, point) => world.insert(Shape.segment(point, at(1, 1))), (world, point) => world.ray(at(1, 1), point),
     (world, point) => world.findPath({ start: at(1, 1), goal: point }), (world, point) => world.findPaths([point, at(2, 2)]),
     (world, point) => world.attempt([{ kind: 'insert', shape: Shape.point(point) }], () => 1),
-    (world, point) => world.fitDisc(point, 1), (world, point) => world.isClear([at(1, 1), point]),
+    (world, point) => world.fitDisc(point, { radius: 1 }), (world, point) => world.isClear([at(1, 1), point]),
   ]) {
     const world = makeWorld({ keepBridges: true });
     refuses('disposed', () => call(world, { y: 3, get x() { world.dispose(); return 3; } }));

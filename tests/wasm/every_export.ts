@@ -1,6 +1,6 @@
 // Uses every export of the package as TypeScript sees it. types.test.mjs compiles this file under strict rules, and runs it.
 import {
-  boundingBox, type Box, type Bridge, type BulkOptions, centroid, type Change, type ChangedBox, type CompiledModule, type CrossedItem, type DifferenceKind,
+  type Agent, boundingBox, type Box, type Bridge, type BulkOptions, centroid, type Change, type ChangedBox, type CompiledModule, type CrossedItem, type DifferenceKind,
   type DiscFit, type ErrorCode, type FillRule, findDifference, init, type InitOptions, initSync, isInRange, isSavedWorld,
   type Item, type ItemId, type ItemInfo, type ItemKind, ItemList, LARGEST_COORDINATE, type Location, type LocationKind,
   type ManyGoalsQuery, type MarkStyle, type MemoryUse, Mesh, type ModuleBytes, moduleMemory, type MovedEnd, type NearestFit,
@@ -49,8 +49,9 @@ const location: Location = world.locate(middle, context);
 const locationKind: LocationKind = location.kind;
 const crossed: CrossedItem[] = world.itemsCrossed(start, goal);
 const hit: RayHit = world.ray(start, goal);
-const fit: DiscFit = world.fitDisc(start, 1);
-const nearestQuery: NearestFitQuery = { point: middle, radius: 2 };
+const agent: Agent = { radius: 2 };
+const fit: DiscFit = world.fitDisc(start, agent);
+const nearestQuery: NearestFitQuery = { point: middle, agent };
 const nearest: NearestFit = world.nearestFit(nearestQuery);
 const bridges: Bridge[] = world.bridges(domain);
 const widest: WidestPath = world.widestPath(start, goal);
@@ -62,7 +63,7 @@ const path: Path = world.findPath(query);
 const pathInfo: PathInfo = path.info;
 const status: PathStatus = path.status;
 const moved: MovedEnd | null = pathInfo.movedStart;
-const pieces: PathPiece[] = world.findPath({ start, goal, radius: 2 }).pieces();
+const pieces: PathPiece[] = world.findPath({ start, goal, agent }).pieces();
 const precision: Precision = 'float32';
 const position: PathPosition = path.advance(path.at(1), 2, precision);
 const paths: Paths = world.findPaths([start, goal], options);

@@ -24,8 +24,8 @@ test('coordinates that no world accepts', () => {
   const error = refuses('out-of-domain', () => world.insertPolyline([1, 1, 2, 2, 300, 3]));
   assert.equal(error.index, 2);
   refuses('out-of-domain', () => world.ray(at(1, 1), at(1, -1)));
-  refuses('bad-radius', () => world.fitDisc(at(1, 1), -1));
-  refuses('bad-radius', () => world.findPath({ start: at(1, 1), goal: at(2, 2), radius: NaN }));
+  refuses('bad-radius', () => world.fitDisc(at(1, 1), { radius: -1 }));
+  refuses('bad-radius', () => world.findPath({ start: at(1, 1), goal: at(2, 2), agent: { radius: NaN } }));
   refuses('bad-distance', () => world.findPath({ start: at(1, 1), goal: at(2, 2), endTolerance: -1 }));
   refuses('bad-domain', () => new World({ min: at(1, 1), max: at(1, 2) }));
   refuses('coordinate-range', () => new World({ min: at(NaN, 1), max: at(1, 2) }));

@@ -51,19 +51,19 @@ test('positions on a path', () => {
 
 test('paths of discs', () => {
   const world = makeWorld({ keepBridges: true });
-  const path = world.findPath({ ...QUERY, start: at(10, 60), radius: 5 });
+  const path = world.findPath({ ...QUERY, start: at(10, 60), agent: { radius: 5 } });
   assert.equal(path.status, 'found');
   const pieces = path.pieces();
   assert.deepEqual(pieces.map(({ kind }) => kind), ['line', 'arc', 'line']);
   assert.deepEqual([pieces[1].centre, pieces[1].radius], [at(40, 70), 5]);
   assert.ok(path.polyline(0.01).length > 6);
   refuses('bad-distance', () => path.polyline(-1));
-  const large = world.findPath({ start: at(20, 50), goal: at(60, 80), radius: 20 });
+  const large = world.findPath({ start: at(20, 50), goal: at(60, 80), agent: { radius: 20 } });
   assert.equal(large.status, 'no-path');
   const { isConnected, isLimited, radius, fromItems, toItems } = large.widest();
   assert.deepEqual([isConnected, isLimited, radius], [true, true, 15]);
   assert.deepEqual([...fromItems, ...toItems].sort(), [0, 1]);
-  refuses('no-bridges', () => makeWorld().findPath({ ...QUERY, radius: 5 }));
+  refuses('no-bridges', () => makeWorld().findPath({ ...QUERY, agent: { radius: 5 } }));
 });
 
 test('blocked ends and no path', () => {
@@ -76,7 +76,7 @@ test('blocked ends and no path', () => {
   assert.deepEqual(moved.info.movedStart.from, at(61, 50));
   world.insertPolyline([41, 80, 0, 80], 3);
   world.insertPolyline([41, 80, 40, 70], 4);
-  const none = world.findPath({ start: at(10, 10), goal: at(50, 10), radius: 1 });
+  const none = world.findPath({ start: at(10, 10), goal: at(50, 10), agent: { radius: 1 } });
   assert.equal(none.status, 'no-path');
   assert.equal(none.length, 0);
   assert.ok(none.widest() === null || none.widest().isConnected === false);

@@ -40,7 +40,7 @@ function widest() {
 }
 
 function findPath(world, line) {
-  const query = { start: line.from, goal: line.to, radius: line.radius };
+  const query = { start: line.from, goal: line.to, agent: line.agent };
   if (line.algorithm !== null) query.algorithm = line.algorithm;
   if (line.endTolerance !== null) query.endTolerance = line.endTolerance;
   const path = world.findPath(query, used.path, used.context);
@@ -59,15 +59,13 @@ function locate(world, line) {
 
 function castRay(world, line) {
   const isDisc = line.hasRadius;
-  const found = isDisc
-    ? world.sweepDisc(line.from, line.to, line.radius, used.context)
-    : world.ray(line.from, line.to, used.context);
+  const found = world.ray(line.from, line.to, line.agent, used.context);
   if (!found.hit) return { hit: false };
   return { hit: true, at: pair(found.at), contact: isDisc ? pair(found.contact) : undefined, items: found.items };
 }
 
 function findNearestFit(world, line) {
-  const query = { point: line.from, radius: line.radius };
+  const query = { point: line.from, agent: line.agent };
   if (line.hasGoal) query.goal = line.to;
   const found = world.nearestFit(query, used.context);
   return found.isFound ? { found: true, at: pair(found.at) } : { found: false };
@@ -86,12 +84,12 @@ const actions = {
   locate,
   ray: castRay,
   disc: (world, line) => {
-    const { fits, items } = world.fitDisc(line.from, line.radius, used.context);
+    const { fits, items } = world.fitDisc(line.from, line.agent, used.context);
     return { free: fits, items };
   },
   nearest: findNearestFit,
   path: findPath,
-  clear: (world) => ({ clear: world.isClear(used.items.points(0), used.context) }),
+  clear: (world) => ({ clear: world.isClear(used.items.points(0), {}, used.context) }),
   check: checkWorld,
   tick: (world, { tick, itemsHash }) => {
     const computed = world.itemsHash();
@@ -122,7 +120,7 @@ export function runScript(text, name) {
   used.context = new QueryContext();
   const script = new Script().parse(text, name);
   const lines = Array.from({ length: script.length }, (_, i) => script.line(i));
-  const needsBridges = lines.some((line) => (line.kind === 'path' || line.hasGoal) && line.radius > 0);
+  const needsBridges = lines.some((line) => (line.kind === 'path' || line.hasGoal) && line.agent.radius > 0);
   const world = new World(script.domain, { keepBridges: needsBridges });
   world.keepHistory(lines.length);
   const answers = [];

@@ -70,9 +70,9 @@ test('a scenario of Moving AI', () => {
 
 test('pictures', () => {
   const world = makeWorld({ keepBridges: true });
-  const query = { start: at(10, 60), goal: at(50, 40), radius: 2 };
+  const query = { start: at(10, 60), goal: at(50, 40), agent: { radius: 2 } };
   const overlay = new SvgOverlay()
-    .addPath(world.findPath({ ...query, radius: 0 }))
+    .addPath(world.findPath({ ...query, agent: {} }))
     .addDiscPath(query, world.findPath(query))
     .addFailedPath(at(1, 1), at(2, 2), 'no-path')
     .addRay(at(1, 1), at(99, 1), world.ray(at(1, 1), at(99, 1)))

@@ -101,7 +101,7 @@ test('locating and asking', () => {
   assert.deepEqual(world.itemsIn({ min: at(39, 0), max: at(61, 50) }), [1, 2]);
   assert.deepEqual(world.ray(at(1, 50), at(99, 50)), { hit: true, at: at(40, 50), contact: at(40, 50), items: [1] });
   assert.equal(world.ray(at(1, 90), at(99, 90)).hit, false);
-  const border = world.ray(at(0, 0), at(0, 50), context);
+  const border = world.ray(at(0, 0), at(0, 50), {}, context);
   assert.deepEqual(border.items, [0]);
 });
 
@@ -109,11 +109,11 @@ test('discs', () => {
   const world = makeWorld({ keepBridges: true });
   assert.deepEqual(world.fitDisc(at(20, 50), 20), { fits: true, items: [] });
   assert.deepEqual(world.fitDisc(at(20, 50), 25), { fits: false, items: [0, 1] });
-  const swept = world.sweepDisc(at(10, 50), at(90, 50), 5);
+  const swept = world.ray(at(10, 50), at(90, 50), { radius: 5 });
   assert.deepEqual([swept.hit, swept.at, swept.contact, swept.items], [true, at(35, 50), at(40, 50), [1]]);
-  const fit = world.nearestFit({ point: at(38, 50), radius: 5 });
+  const fit = world.nearestFit({ point: at(38, 50), agent: { radius: 5 } });
   assert.deepEqual([fit.isFound, fit.at, fit.distance], [true, at(35, 50), 3]);
-  assert.equal(world.nearestFit({ point: at(38, 50), radius: 5, limit: 2 }).isFound, false);
+  assert.equal(world.nearestFit({ point: at(38, 50), agent: { radius: 5 }, limit: 2 }).isFound, false);
   const widest = world.widestPath(at(10, 10), at(50, 10));
   assert.deepEqual([widest.isConnected, widest.isLimited, widest.radius], [true, true, 10]);
 });

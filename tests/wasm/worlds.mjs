@@ -88,7 +88,7 @@ const flag = (value) => (value ? 1 : 0);
 
 /** The path of a disc, and what a disc touches that moves along a segment. */
 function discPathText(world, query, path, tolerance) {
-  const { start, goal, radius } = query;
+  const { start, goal, agent } = query;
   const found = codeOr(() => {
     world.findPath(query, path);
     const { status, expansions, length } = path.info;
@@ -99,7 +99,7 @@ function discPathText(world, query, path, tolerance) {
   });
   if (typeof found === 'string') return '';
   const swept = codeOr(() => {
-    const { hit, at, contact, items } = world.sweepDisc(start, goal, radius);
+    const { hit, at, contact, items } = world.ray(start, goal, agent);
     return { text: `sweep ${flag(hit)}${bitsOfPoint(at)}${bitsOfPoint(contact)}${idsText(items)}\n` };
   });
   return found.text + (swept.text ?? '');
@@ -118,10 +118,10 @@ function widestText(world, start, goal) {
 function fitsText(world, start, goal, extent) {
   let text = '';
   for (const radius of [0, 2 ** -8 * extent, 2 ** -5 * extent, 2 ** -3 * extent]) {
-    const fit = codeOr(() => world.fitDisc(start, radius));
+    const fit = codeOr(() => world.fitDisc(start, { radius }));
     text += `disc${typeof fit === 'string' ? ` ${fit}` : idsText(fit.items)}`;
     for (const wanted of [{}, { goal }]) {
-      const nearest = codeOr(() => world.nearestFit({ point: start, radius, ...wanted }));
+      const nearest = codeOr(() => world.nearestFit({ point: start, agent: { radius }, ...wanted }));
       if (typeof nearest === 'string') continue;
       text += ` ${flag(nearest.isFound)} ${bitsOf(nearest.distance)}${bitsOfPoint(nearest.at)}`;
     }
@@ -134,7 +134,7 @@ function discsText(world, start, goal, extent, path) {
   let text = fitsText(world, start, goal, extent);
   for (const radius of [2 ** -10 * extent, 2 ** -6 * extent, 2 ** -4 * extent]) {
     for (const algorithm of ['optimal', 'tra']) {
-      text += discPathText(world, { start, goal, radius, algorithm }, path, 2 ** -9 * extent);
+      text += discPathText(world, { start, goal, agent: { radius }, algorithm }, path, 2 ** -9 * extent);
     }
   }
   return text + widestText(world, start, goal);

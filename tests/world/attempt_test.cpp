@@ -123,8 +123,8 @@ TEST(WouldDisconnect, SaysWhetherAWallSeparatesPoints) {
   const std::vector<Point> ends{{10, 50}, {90, 50}};
   EXPECT_TRUE(world.would_disconnect(kWall, ends).value());
   EXPECT_FALSE(world.would_disconnect(Shape::segment({50, 0}, {50, 99}), ends).value());
-  EXPECT_FALSE(world.would_disconnect(Shape::segment({50, 0}, {50, 99}), ends, 0.5).value());
-  EXPECT_TRUE(world.would_disconnect(Shape::segment({50, 0}, {50, 99}), ends, 0.75).value());
+  EXPECT_FALSE(world.would_disconnect(Shape::segment({50, 0}, {50, 99}), ends, {.radius = 0.5}).value());
+  EXPECT_TRUE(world.would_disconnect(Shape::segment({50, 0}, {50, 99}), ends, {.radius = 0.75}).value());
   EXPECT_FALSE(world.would_disconnect(kWall, {{10, 50}, {20, 50}}).value());
   EXPECT_EQ(world.item_count(), 0U);
 }
@@ -134,8 +134,8 @@ TEST(WouldDisconnect, SaysWhetherAPolygonBlocksAPoint) {
   const Shape house = Shape::rectangle({{40, 40}, {60, 60}});
   EXPECT_TRUE(world.would_disconnect(house, {{50, 50}}).value());
   EXPECT_FALSE(world.would_disconnect(house, {{40, 50}}).value()) << "a point on its border is free";
-  EXPECT_FALSE(world.would_disconnect(house, {{30, 50}}, 10).value());
-  EXPECT_TRUE(world.would_disconnect(house, {{31, 50}}, 10).value());
+  EXPECT_FALSE(world.would_disconnect(house, {{30, 50}}, {.radius = 10}).value());
+  EXPECT_TRUE(world.would_disconnect(house, {{31, 50}}, {.radius = 10}).value());
   world.insert(house).value();
   EXPECT_FALSE(world.would_disconnect(house, {{50, 50}, {10, 10}}).value()) << "the point is blocked already";
 }
@@ -153,8 +153,8 @@ TEST(WouldDisconnect, KnowsBothAreasBesideAWall) {
 TEST(WouldDisconnect, RefusesWhatItCannotAnswer) {
   World world = World::create({{0, 0}, {100, 100}}, {.keep_abstraction = false}).value();
   EXPECT_EQ(world.would_disconnect(kWall, {{10, 50}}).error().code, ErrorCode::not_supported);
-  EXPECT_EQ(world.would_disconnect(kWall, {{10, 50}}, 1).error().code, ErrorCode::no_bridges);
-  EXPECT_EQ(world.would_disconnect(kWall, {{10, 50}}, -1).error().code, ErrorCode::bad_radius);
+  EXPECT_EQ(world.would_disconnect(kWall, {{10, 50}}, {.radius = 1}).error().code, ErrorCode::no_bridges);
+  EXPECT_EQ(world.would_disconnect(kWall, {{10, 50}}, {.radius = -1}).error().code, ErrorCode::bad_radius);
   EXPECT_EQ(world.would_disconnect(kWall, {{10, 50}, {200, 50}}).error().index, 1U);
   World other = world_of_hundred();
   EXPECT_EQ(other.would_disconnect(Shape::segment({0, 0}, {200, 0}), {{1, 1}}).error().code, ErrorCode::out_of_domain);
@@ -163,8 +163,9 @@ TEST(WouldDisconnect, RefusesWhatItCannotAnswer) {
 /// Returns whether an agent gets from one point to the other or, if both are the same point, whether it can stand
 /// there.
 bool is_connected(const World& world, const Point& start, const Point& goal, double radius) {
-  if (start == goal) return world.nearest_fit({.point = start, .radius = radius, .limit = 0.0}).value().is_found;
-  const PathQuery query{.start = start, .goal = goal, .radius = radius, .end_tolerance = 0.0};
+  if (start == goal)
+    return world.nearest_fit({.point = start, .agent = {.radius = radius}, .limit = 0.0}).value().is_found;
+  const PathQuery query{.start = start, .goal = goal, .agent = {.radius = radius}, .end_tolerance = 0.0};
   return world.find_path(query).value().status == PathStatus::found;
 }
 
@@ -201,7 +202,7 @@ TEST(WouldDisconnect, AgreesWithPathsBetweenAllPairs) {
     for (const double radius : {0.0, 0.25, 1.0}) {
       const bool expected = is_any_pair_lost(world, after, points, radius);
       ++(expected ? lost : kept);
-      ASSERT_EQ(world.would_disconnect(change, points, radius).value(), expected) << "radius " << radius;
+      ASSERT_EQ(world.would_disconnect(change, points, {.radius = radius}).value(), expected) << "radius " << radius;
     }
   }
   EXPECT_GT(lost, case_count() / 2);

@@ -133,7 +133,7 @@ Ids wall_ids(const Ids& items) {
 
 void check_fit(const World& world, const NamedScene& scene, const disc::Connectivity& oracle, const Point& p) {
   for (const double radius : scene.radii) {
-    const DiscFit fit = world.fit_disc(p, radius).value();
+    const DiscFit fit = world.fit_disc(p, {.radius = radius}).value();
     ASSERT_EQ(fit.fits, oracle.fits(p, radius)) << to_string(p) << ", radius " << radius;
     ASSERT_EQ(fit.fits, fit.items.empty());
     Ids expected;
@@ -149,7 +149,7 @@ void check_fit(const World& world, const NamedScene& scene, const disc::Connecti
     if (is_near_border) expected.insert(expected.begin(), ItemId{0});
     ASSERT_EQ(wall_ids(fit.items), expected) << to_string(p) << ", radius " << radius;
   }
-  ASSERT_TRUE(world.fit_disc(p, 0.0).value().fits);
+  ASSERT_TRUE(world.fit_disc(p, {.radius = 0.0}).value().fits);
 }
 
 void check_gap(const WidestPath& widest, const NamedScene& scene) {
@@ -277,7 +277,7 @@ World three_rooms() {
 
 TEST(FitDisc, CountsPolygonsAroundTheCentreAndTheDomain) {
   const World world = three_rooms();
-  const auto fit = [&](Point centre, double radius) { return world.fit_disc(centre, radius).value(); };
+  const auto fit = [&](Point centre, double radius) { return world.fit_disc(centre, {.radius = radius}).value(); };
   EXPECT_EQ(fit({5, 5}, 5), (DiscFit{true, {}}));
   EXPECT_EQ(fit({5, 5}, std::nextafter(5.0, 6.0)), (DiscFit{false, {0}}));
   EXPECT_EQ(fit({5, 5}, 5.5), (DiscFit{false, {0, 1, 2}}));
@@ -294,8 +294,8 @@ TEST(FitDisc, CountsPolygonsAroundTheCentreAndTheDomain) {
 TEST(FitDisc, NeedsNoBridges) {
   World world = World::create({{0, 0}, {10, 10}}, {.keep_abstraction = false}).value();
   world.insert_point({5, 5}, 1).value();
-  EXPECT_TRUE(world.fit_disc({5, 5}, 5).value().fits) << "a point is no wall";
-  EXPECT_EQ(world.fit_disc({5, 5}, 5.5).value().items, Ids{0});
+  EXPECT_TRUE(world.fit_disc({5, 5}, {.radius = 5}).value().fits) << "a point is no wall";
+  EXPECT_EQ(world.fit_disc({5, 5}, {.radius = 5.5}).value().items, Ids{0});
 }
 
 TEST(WidestPath, NamesTheGapAndTheItemsAtItsEnds) {
@@ -353,7 +353,9 @@ TEST(WidestPath, IgnoresLooseCornersBeforeAndAfterTheyCome) {
 TEST(Clearance, QueriesRefuseWrongArguments) {
   const World world = three_rooms();
   const World without = World::create({{0, 0}, {20, 10}}).value();
-  const auto fit_code = [&](Point centre, double radius) { return world.fit_disc(centre, radius).error().code; };
+  const auto fit_code = [&](Point centre, double radius) {
+    return world.fit_disc(centre, {.radius = radius}).error().code;
+  };
   EXPECT_EQ(fit_code({21, 1}, 1), ErrorCode::out_of_domain);
   EXPECT_EQ(fit_code({kInfinity, 1}, 1), ErrorCode::coordinate_range);
   EXPECT_EQ(fit_code({1, 1}, -1), ErrorCode::bad_radius);

@@ -20,9 +20,30 @@
 namespace waywright::test {
 namespace {
 
+TEST(AffectedDiscPaths, APolylineTakesAnAgent) {
+  World world = World::create({{0, 0}, {100, 100}}).value();
+  const std::vector<Point> line = {{10, 50}, {90, 50}};
+  const std::uint64_t before = world.version();
+  world.insert_segment({40, 54}, {60, 54}).value();
+  EXPECT_FALSE(world.is_affected(line, before));
+  EXPECT_FALSE(world.is_affected(line, before, {.radius = 3}));
+  EXPECT_TRUE(world.is_affected(line, before, {.radius = 4}));
+  EXPECT_TRUE(world.is_affected(std::span(line).first(1), before, {.radius = 31}));
+  EXPECT_FALSE(world.is_affected(std::span(line).first(1), before, {.radius = 30}));
+  EXPECT_FALSE(world.is_affected({}, before, {.radius = 1000}));
+  EXPECT_FALSE(world.is_affected(line, before, {.radius = -1}));
+}
+
+TEST(AffectedDiscPaths, OnlyPointsCanBeClear) {
+  const World world = World::create({{0, 0}, {100, 100}}).value();
+  EXPECT_TRUE(world.is_clear({10, 50}, {90, 50}).value());
+  EXPECT_EQ(world.is_clear({10, 50}, {90, 50}, {.radius = 5}).error().code, ErrorCode::not_supported);
+  EXPECT_EQ(world.is_clear({10, 50}, {90, 50}, {.radius = -5}).error().code, ErrorCode::bad_radius);
+}
+
 TEST(AffectedDiscPaths, AreNearAnItem) {
   World world = world_of_hundred();
-  const Path path = world.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5}).value();
+  const Path path = world.find_path({.start = {20, 50}, .goal = {80, 50}, .agent = {.radius = 5}}).value();
   std::uint64_t version = world.version();
   const auto is_affected_by = [&](const Shape& shape) {
     version = world.version();
@@ -43,7 +64,7 @@ TEST(AffectedDiscPaths, AreNearAnItem) {
 
 TEST(AffectedDiscPaths, EndAtTheirGoal) {
   World world = world_of_hundred();
-  const Path path = world.find_path({.start = {20, 20}, .goal = {50, 50}, .radius = 5}).value();
+  const Path path = world.find_path({.start = {20, 20}, .goal = {50, 50}, .agent = {.radius = 5}}).value();
   const std::uint64_t version = world.version();
   world.insert_segment({53.6, 53.6}, {60, 60}).value();
   EXPECT_FALSE(world.is_affected(path, version)) << "the line of the path leads to it";
@@ -61,7 +82,7 @@ TEST(AffectedDiscPaths, TouchTheirCorners) {
         const Point corner = two[1 - k].centre;
         if (two[k].kind != PathPiece::Kind::line || two[1 - k].kind != PathPiece::Kind::arc) continue;
         ++lines;
-        ASSERT_TRUE(path::may_touch(two.subspan(k, 1), path.radius, {corner, corner})) << "piece " << i - 1 + k;
+        ASSERT_TRUE(path::may_touch(two.subspan(k, 1), path.agent.radius, {corner, corner})) << "piece " << i - 1 + k;
       }
     }
   });
@@ -72,7 +93,7 @@ TEST(AffectedDiscPaths, CountReplacementsAndRemovals) {
   World world = world_of_hundred();
   world.insert_segment({50, 0}, {50, 44}, 1).value();
   world.insert_segment({50, 0}, {60, 10}, 2).value();
-  const Path path = world.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5}).value();
+  const Path path = world.find_path({.start = {20, 50}, .goal = {80, 50}, .agent = {.radius = 5}}).value();
   std::uint64_t version = world.version();
   world.replace(1, Shape::segment({50, 0}, {50, 43})).value();
   EXPECT_FALSE(world.is_affected(path, version));
@@ -88,7 +109,7 @@ TEST(AffectedDiscPaths, CountReplacementsAndRemovals) {
 TEST(AffectedDiscPaths, TurnAroundCorners) {
   World world = world_of_hundred();
   world.insert_segment({50, 0}, {50, 60}, 1).value();
-  const Path path = world.find_path({.start = {40, 10}, .goal = {60, 10}, .radius = 10}).value();
+  const Path path = world.find_path({.start = {40, 10}, .goal = {60, 10}, .agent = {.radius = 10}}).value();
   const auto is_affected_by = [&](Point a, Point b) {
     const std::uint64_t version = world.version();
     world.insert_segment(a, b).value();
@@ -106,7 +127,8 @@ TEST(AffectedPaths, WithoutPointsAreAffectedByEachBox) {
   World world = world_of_hundred();
   const std::vector<Point> goals = {{80, 50}};
   for (const double radius : {0.0, 5.0}) {
-    const Path path = world.find_paths_from({.start = {20, 50}, .goals = goals, .radius = radius}).value()[0];
+    const Path path =
+        world.find_paths_from({.start = {20, 50}, .goals = goals, .agent = {.radius = radius}}).value()[0];
     ASSERT_EQ(path.status, PathStatus::found);
     const std::uint64_t version = world.version();
     EXPECT_FALSE(world.is_affected(path, version));
@@ -120,7 +142,7 @@ TEST(AffectedPaths, WithoutPointsAreAffectedByEachBox) {
 
 TEST(AffectedDiscPaths, CanBeOnePosition) {
   World world = world_of_hundred();
-  const std::vector<Path> paths{world.find_path({.start = {50, 50}, .goal = {50, 50}, .radius = 5}).value(),
+  const std::vector<Path> paths{world.find_path({.start = {50, 50}, .goal = {50, 50}, .agent = {.radius = 5}}).value(),
                                 world.find_path({.start = {50, 50}, .goal = {50, 50}}).value()};
   const std::uint64_t version = world.version();
   std::vector<std::size_t> affected;
@@ -135,7 +157,7 @@ TEST(AffectedDiscPaths, CanBeOnePosition) {
 /// The boxes of items of a huge extent have corners far away from every path.
 TEST(AffectedDiscPaths, AreFoundInHugeBoxes) {
   World world = World::create({{-0x1p100, -0x1p100}, {0x1p100, 0x1p100}}, {.keep_bridges = true}).value();
-  const Path path = world.find_path({.start = {1, 1}, .goal = {4, 5}, .radius = 0.5}).value();
+  const Path path = world.find_path({.start = {1, 1}, .goal = {4, 5}, .agent = {.radius = 0.5}}).value();
   const auto is_affected_by = [&](Point a, Point b) {
     const std::uint64_t version = world.version();
     world.insert_segment(a, b).value();
@@ -155,7 +177,8 @@ class ChangingWorld {
   ChangingWorld(std::uint64_t seed, const disc::NamedScene& scene)
       : random_(seed), scene_(scene), world_(disc::world_of(scene)), size_(scene.domain.max.x) {
     for (const auto& [start, goal] : scene.queries) {
-      for (const double radius : scene.radii) queries_.push_back({.start = start, .goal = goal, .radius = radius});
+      for (const double radius : scene.radii)
+        queries_.push_back({.start = start, .goal = goal, .agent = {.radius = radius}});
     }
     paths_.resize(queries_.size());
     const disc::Walls walls = live_walls();
@@ -190,7 +213,7 @@ class ChangingWorld {
  private:
   [[nodiscard]] std::string fault_of(const disc::Walls& walls, std::size_t i) const {
     const PathQuery& query = queries_[i];
-    return disc::check_path(walls, query.start, query.goal, query.radius, disc::pieces_of(paths_[i])).fault;
+    return disc::check_path(walls, query.start, query.goal, query.agent.radius, disc::pieces_of(paths_[i])).fault;
   }
 
   /// Searches for a path, and keeps it if the oracle finds it valid.
@@ -244,7 +267,7 @@ class ChangingWorld {
     const Path& path = paths_[random_.below(paths_.size())];
     if (path.status != PathStatus::found || random_.chance(20)) return {size_ * fraction(), size_ * fraction()};
     const PathPosition position = path.at(path.length * fraction());
-    const double away = path.radius * (random_.chance(50) ? 0.9 + 0.3 * fraction() : 4 * fraction());
+    const double away = path.agent.radius * (random_.chance(50) ? 0.9 + 0.3 * fraction() : 4 * fraction());
     const Point left{-position.heading.y, position.heading.x};
     return inside(position.at + (random_.chance(50) ? away : -away) * left);
   }

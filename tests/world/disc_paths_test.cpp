@@ -29,7 +29,7 @@ World two_walls() {
 
 TEST(DiscPaths, PassAGapOfExactlyTheirDiameter) {
   const World world = two_walls();
-  const Path path = world.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5}).value();
+  const Path path = world.find_path({.start = {20, 50}, .goal = {80, 50}, .agent = {.radius = 5}}).value();
   ASSERT_EQ(path.status, PathStatus::found);
   ASSERT_EQ(path.pieces.size(), 3U);
   EXPECT_EQ(path.pieces[1].centre, (Point{50, 60}));
@@ -41,7 +41,7 @@ TEST(DiscPaths, PassAGapOfExactlyTheirDiameter) {
 TEST(DiscPaths, SayWhichGapIsTooNarrowByOneUlp) {
   const World world = two_walls();
   const double radius = std::nextafter(5.0, 6.0);
-  const Path path = world.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = radius}).value();
+  const Path path = world.find_path({.start = {20, 50}, .goal = {80, 50}, .agent = {.radius = radius}}).value();
   ASSERT_EQ(path.status, PathStatus::no_path);
   ASSERT_TRUE(path.widest.has_value());
   EXPECT_EQ(path.widest->radius, 5.0);
@@ -51,24 +51,25 @@ TEST(DiscPaths, SayWhichGapIsTooNarrowByOneUlp) {
 
 TEST(DiscPaths, NameTheItemsThatBlockAnEnd) {
   const World world = two_walls();
-  const Path start = world.find_path({.start = {48, 50}, .goal = {80, 50}, .radius = 5}).value();
+  const Path start = world.find_path({.start = {48, 50}, .goal = {80, 50}, .agent = {.radius = 5}}).value();
   EXPECT_EQ(start.status, PathStatus::start_blocked);
   EXPECT_EQ(start.blockers, (std::vector<ItemId>{1}));
-  const Path goal = world.find_path({.start = {20, 50}, .goal = {80, 97}, .radius = 5}).value();
+  const Path goal = world.find_path({.start = {20, 50}, .goal = {80, 97}, .agent = {.radius = 5}}).value();
   EXPECT_EQ(goal.status, PathStatus::goal_blocked);
   EXPECT_EQ(goal.blockers, (std::vector<ItemId>{ItemId{}}));
 }
 
 TEST(DiscPaths, StartAndEndAtTheNearestPositionWithinTheTolerance) {
   const World world = two_walls();
-  const Path path = world.find_path({.start = {48, 50}, .goal = {80, 97}, .radius = 5, .end_tolerance = 3}).value();
+  const Path path =
+      world.find_path({.start = {48, 50}, .goal = {80, 97}, .agent = {.radius = 5}, .end_tolerance = 3}).value();
   ASSERT_EQ(path.status, PathStatus::found);
   EXPECT_EQ(path.moved_start, (MovedEnd{{48, 50}, {45, 50}}));
   EXPECT_EQ(path.moved_goal, (MovedEnd{{80, 97}, {80, 95}}));
   EXPECT_EQ(path.pieces.front().from, (Point{45, 50}));
   EXPECT_EQ(path.pieces.back().to, (Point{80, 95}));
   const Path blocked =
-      world.find_path({.start = {45, 50}, .goal = {80, 97}, .radius = 5, .end_tolerance = 1.5}).value();
+      world.find_path({.start = {45, 50}, .goal = {80, 97}, .agent = {.radius = 5}, .end_tolerance = 1.5}).value();
   EXPECT_EQ(blocked.status, PathStatus::goal_blocked);
   EXPECT_FALSE(blocked.moved_goal);
   EXPECT_EQ(blocked.blockers, (std::vector<ItemId>{ItemId{}}));
@@ -77,8 +78,9 @@ TEST(DiscPaths, StartAndEndAtTheNearestPositionWithinTheTolerance) {
 TEST(DiscPaths, MoveAnEndThatRoundingHasBlocked) {
   const World world = two_walls();
   const Point start{45.00001, 50};
-  EXPECT_TRUE(world.find_path({.start = start, .goal = {80, 50}, .radius = 5}).value().moved_start);
-  const Path refused = world.find_path({.start = start, .goal = {80, 50}, .radius = 5, .end_tolerance = 0}).value();
+  EXPECT_TRUE(world.find_path({.start = start, .goal = {80, 50}, .agent = {.radius = 5}}).value().moved_start);
+  const Path refused =
+      world.find_path({.start = start, .goal = {80, 50}, .agent = {.radius = 5}, .end_tolerance = 0}).value();
   EXPECT_EQ(refused.status, PathStatus::start_blocked);
 }
 
@@ -96,7 +98,7 @@ TEST(DiscPaths, DoNotDependOnCrossingsThatAreGone) {
   for (World* const world : {&changed, &fresh}) {
     world->insert_segment({1000500, 500.5 - 3e-10}, {1000500, 600}, 3).value();
   }
-  const PathQuery query{.start = {1000100, 500}, .goal = {1000900, 500}, .radius = 0.5};
+  const PathQuery query{.start = {1000100, 500}, .goal = {1000900, 500}, .agent = {.radius = 0.5}};
   const Path path = fresh.find_path(query).value();
   EXPECT_EQ(changed.find_path(query).value().length, path.length);
   EXPECT_EQ(changed.find_path(query).value().pieces.size(), path.pieces.size());
@@ -106,14 +108,16 @@ TEST(DiscPaths, DoNotDependOnCrossingsThatAreGone) {
 // The disc does not pass the gap from y = 60 to y = 70. The nearest position to the end lies beyond the wall.
 TEST(DiscPaths, PreferPositionsThatAreConnectedWithTheOtherEnd) {
   const World world = two_walls();
-  const PathQuery query{.start = {48, 50}, .goal = {80, 50}, .radius = 6, .end_tolerance = 10};
+  const PathQuery query{.start = {48, 50}, .goal = {80, 50}, .agent = {.radius = 6}, .end_tolerance = 10};
   const Path path = world.find_path(query).value();
   ASSERT_EQ(path.status, PathStatus::found);
   EXPECT_EQ(path.moved_start->to, (Point{56, 50}));
-  const Path back = world.find_path({.start = {80, 50}, .goal = {48, 50}, .radius = 6, .end_tolerance = 10}).value();
+  const Path back =
+      world.find_path({.start = {80, 50}, .goal = {48, 50}, .agent = {.radius = 6}, .end_tolerance = 10}).value();
   EXPECT_EQ(back.moved_goal->to, (Point{56, 50}));
   // No connected position is within the tolerance.
-  const Path near = world.find_path({.start = {48, 50}, .goal = {80, 50}, .radius = 6, .end_tolerance = 5}).value();
+  const Path near =
+      world.find_path({.start = {48, 50}, .goal = {80, 50}, .agent = {.radius = 6}, .end_tolerance = 5}).value();
   EXPECT_EQ(near.status, PathStatus::no_path);
   EXPECT_EQ(near.moved_start->to, (Point{44, 50}));
   EXPECT_EQ(near.widest->radius, 5);
@@ -121,14 +125,14 @@ TEST(DiscPaths, PreferPositionsThatAreConnectedWithTheOtherEnd) {
 
 TEST(DiscPaths, NeedBridges) {
   const World world = World::create({{0, 0}, {100, 100}}).value();
-  const auto refused = world.find_path({.start = {20, 50}, .goal = {80, 50}, .radius = 5});
+  const auto refused = world.find_path({.start = {20, 50}, .goal = {80, 50}, .agent = {.radius = 5}});
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, ErrorCode::no_bridges);
 }
 
 TEST(DiscPaths, AreOneLineWithoutLengthIfStartAndGoalAreEqual) {
   const World world = two_walls();
-  const Path path = world.find_path({.start = {20, 50}, .goal = {20, 50}, .radius = 5}).value();
+  const Path path = world.find_path({.start = {20, 50}, .goal = {20, 50}, .agent = {.radius = 5}}).value();
   EXPECT_EQ(path.status, PathStatus::found);
   EXPECT_EQ(path.length, 0.0);
   ASSERT_EQ(path.pieces.size(), 1U);
@@ -138,20 +142,21 @@ TEST(DiscPaths, AreOneLineWithoutLengthIfStartAndGoalAreEqual) {
 
 TEST(DiscPaths, SayHowLongTheSearchTookIfAsked) {
   const World world = two_walls();
-  PathQuery query{.start = {20, 50}, .goal = {80, 50}, .radius = 4.5};
+  PathQuery query{.start = {20, 50}, .goal = {80, 50}, .agent = {.radius = 4.5}};
   EXPECT_EQ(world.find_path(query).value().time.count(), 0);
   query.wants_time = true;
   EXPECT_GT(world.find_path(query).value().time.count(), 0);
-  query.radius = 6;
+  query.agent.radius = 6;
   EXPECT_GT(world.find_path(query).value().time.count(), 0) << "no path";
   query.end_tolerance = 0;
   query.start = {48, 50};
   EXPECT_GT(world.find_path(query).value().time.count(), 0) << "a blocked start";
 }
+}  // namespace
 
 TEST(DiscPaths, DoNotDependOnPoints) {
   World world = two_walls();
-  const PathQuery query{.start = {20, 50}, .goal = {80, 50}, .radius = 4.5};
+  const PathQuery query{.start = {20, 50}, .goal = {80, 50}, .agent = {.radius = 4.5}};
   const Path before = world.find_path(query).value();
   for (int i = 1; i < 10; ++i) world.insert_point({50, 60.0 + i}).value();
   world.insert_point({50, 30}).value();
@@ -174,7 +179,8 @@ TEST(DiscPaths, GrowWithTheRadiusUpToTheWidest) {
       const double widest = world.widest_path(start, goal).value().radius;
       double length = 0.0;
       for (double radius = scene.radii[0] / 8; radius < scene.radii[3]; radius *= 1.25) {
-        const Path path = world.find_path({.start = start, .goal = goal, .radius = radius, .end_tolerance = 0}).value();
+        const Path path =
+            world.find_path({.start = start, .goal = goal, .agent = {.radius = radius}, .end_tolerance = 0}).value();
         if (path.status == PathStatus::start_blocked || path.status == PathStatus::goal_blocked) break;
         ASSERT_EQ(path.status == PathStatus::found, radius <= widest) << "radius " << radius;
         if (path.status != PathStatus::found) break;
@@ -183,7 +189,8 @@ TEST(DiscPaths, GrowWithTheRadiusUpToTheWidest) {
         const disc::PathReport report = disc::check_path(walls, start, goal, radius, disc::pieces_of(path));
         ASSERT_EQ(report.fault, "") << "radius " << radius;
         ASSERT_NEAR(report.length, length, 1e-9 * length) << "radius " << radius;
-        const Path back = world.find_path({.start = goal, .goal = start, .radius = radius, .end_tolerance = 0}).value();
+        const Path back =
+            world.find_path({.start = goal, .goal = start, .agent = {.radius = radius}, .end_tolerance = 0}).value();
         ASSERT_NEAR(back.length, length, 1e-12 * length) << "radius " << radius;
       }
     }
@@ -204,8 +211,10 @@ TEST(DiscPaths, AreAsLongInTheOtherDirectionFarFromTheOrigin) {
   const Point start{1000004, -999968};
   const Point goal{1000009, -999988};
   for (const PathAlgorithm algorithm : {PathAlgorithm::optimal, PathAlgorithm::tra}) {
-    const Path path = world.find_path({.start = start, .goal = goal, .radius = 1e-9, .algorithm = algorithm}).value();
-    const Path back = world.find_path({.start = goal, .goal = start, .radius = 1e-9, .algorithm = algorithm}).value();
+    const Path path =
+        world.find_path({.start = start, .goal = goal, .agent = {.radius = 1e-9}, .algorithm = algorithm}).value();
+    const Path back =
+        world.find_path({.start = goal, .goal = start, .agent = {.radius = 1e-9}, .algorithm = algorithm}).value();
     ASSERT_EQ(path.status, PathStatus::found);
     ASSERT_EQ(back.status, PathStatus::found);
     // The shortest path is that of a point, up to arcs of this radius.
@@ -215,5 +224,5 @@ TEST(DiscPaths, AreAsLongInTheOtherDirectionFarFromTheOrigin) {
   }
 }
 
-}  // namespace
+}  // namespace waywright::test
 }  // namespace waywright::test

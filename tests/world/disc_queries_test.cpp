@@ -39,7 +39,8 @@ NamedScene scene_of_seed(std::uint64_t seed) {
 std::vector<PathQuery> queries_of(const NamedScene& scene) {
   std::vector<PathQuery> queries;
   for (const auto& [start, goal] : scene.queries) {
-    for (const double radius : scene.radii) queries.push_back({.start = start, .goal = goal, .radius = radius});
+    for (const double radius : scene.radii)
+      queries.push_back({.start = start, .goal = goal, .agent = {.radius = radius}});
   }
   return queries;
 }
@@ -160,7 +161,7 @@ TEST(DiscSlices, StartAgainWhenTheSecondMeshIsFreed) {
   world.insert_segment({70, 30}, {70, 100}).value();
   world.remove(world.insert_point({10, 10}).value()).value();
   PathSearch search;
-  const PathQuery query{.start = {20, 50}, .goal = {90, 50}, .radius = 5};
+  const PathQuery query{.start = {20, 50}, .goal = {90, 50}, .agent = {.radius = 5}};
   search.begin(world, query).value();
   ASSERT_FALSE(search.step(1).value());
   world.shrink_to_fit();
@@ -175,8 +176,8 @@ TEST(DiscSlices, CanChangeBetweenPointsAndDiscs) {
   const World world = bridged_world_of(scene);
   PathSearch search;
   for (PathQuery query : queries_of(scene)) {
-    for (const double radius : {query.radius, 0.0}) {
-      query.radius = radius;
+    for (const double radius : {query.agent.radius, 0.0}) {
+      query.agent.radius = radius;
       search.begin(world, query).value();
       search.step(1).value();
       search.begin(world, query).value();
@@ -192,7 +193,7 @@ TEST(DiscSlices, CanChangeBetweenPointsAndDiscs) {
 TEST(DiscSlices, SayHowLongTheSearchTookIfAsked) {
   World world = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
   world.insert_segment({50, 0}, {50, 60}).value();
-  PathQuery query{.start = {20, 50}, .goal = {80, 50}, .radius = 5, .end_tolerance = 0};
+  PathQuery query{.start = {20, 50}, .goal = {80, 50}, .agent = {.radius = 5}, .end_tolerance = 0};
   PathSearch search;
   for (const Point& start : {Point{20, 50}, Point{48, 50}}) {
     query.start = start;
@@ -212,12 +213,13 @@ TEST(DiscEnds, MoveInSlicesAndFromOneStartAsInSingleQueries) {
   world.insert_segment({50, 0}, {50, 60}).value();
   world.insert_segment({75, 40}, {75, 100}).value();
   const std::vector<Point> goals{{77, 90}, {90, 20}, {52, 20}};
-  const ManyGoalsQuery many{.start = {48, 50}, .goals = goals, .radius = 5, .wants_points = true, .end_tolerance = 4};
+  const ManyGoalsQuery many{
+      .start = {48, 50}, .goals = goals, .agent = {.radius = 5}, .wants_points = true, .end_tolerance = 4};
   const std::vector<Path> paths = world.find_paths_from(many).value();
   PathSearch search;
   for (std::size_t i = 0; i < goals.size(); ++i) {
     SCOPED_TRACE("goal " + std::to_string(i));
-    const PathQuery query{.start = {48, 50}, .goal = goals[i], .radius = 5, .end_tolerance = 4};
+    const PathQuery query{.start = {48, 50}, .goal = goals[i], .agent = {.radius = 5}, .end_tolerance = 4};
     const Path expected = world.find_path(query).value();
     ASSERT_EQ(expected.status, PathStatus::found);
     ASSERT_TRUE(expected.moved_start);
@@ -240,7 +242,7 @@ TEST(DiscEnds, MoveIntoTheRoomOfEachGoal) {
   world.insert_segment({10, 0}, {10, 10}).value();
   const std::vector<Point> goals{{5, 5}, {15, 5}};
   const std::vector<Path> paths =
-      world.find_paths_from({.start = {9.75, 5}, .goals = goals, .radius = 1, .end_tolerance = 3}).value();
+      world.find_paths_from({.start = {9.75, 5}, .goals = goals, .agent = {.radius = 1}, .end_tolerance = 3}).value();
   for (std::size_t i = 0; i < goals.size(); ++i) {
     SCOPED_TRACE("goal " + std::to_string(i));
     ASSERT_EQ(paths[i].status, PathStatus::found);
@@ -253,7 +255,8 @@ TEST(DiscEnds, MoveIntoTheRoomOfEachGoal) {
 TEST(DiscSlices, NeedBridges) {
   const World world = World::create({{0, 0}, {100, 100}}).value();
   PathSearch search;
-  EXPECT_EQ(search.begin(world, {.start = {1, 1}, .goal = {9, 9}, .radius = 1}).error().code, ErrorCode::no_bridges);
+  EXPECT_EQ(search.begin(world, {.start = {1, 1}, .goal = {9, 9}, .agent = {.radius = 1}}).error().code,
+            ErrorCode::no_bridges);
   EXPECT_FALSE(search.is_running());
 }
 
@@ -268,13 +271,13 @@ TEST(DiscsFromOneStart, FindThePathsOfSingleQueries) {
     std::vector<Point> goals;
     for (const auto& [start, goal] : scene.queries) goals.insert(goals.end(), {goal, start, goal});
     for (const double radius : scene.radii) {
-      ManyGoalsQuery query{.start = scene.queries[seed % 4].first, .goals = goals, .radius = radius};
+      ManyGoalsQuery query{.start = scene.queries[seed % 4].first, .goals = goals, .agent = {.radius = radius}};
       query.wants_points = seed % 2 == 0;
       world.find_paths_from(query, context, paths).value();
       ASSERT_EQ(paths.size(), goals.size());
       std::size_t expansions = 0;
       for (std::size_t i = 0; i < goals.size(); ++i) {
-        Path expected = world.find_path({.start = query.start, .goal = goals[i], .radius = radius}).value();
+        Path expected = world.find_path({.start = query.start, .goal = goals[i], .agent = {.radius = radius}}).value();
         expansions += expected.expansions;
         found += expected.status == PathStatus::found ? 1 : 0;
         if (!query.wants_points) expected.pieces.clear();
@@ -290,11 +293,13 @@ TEST(DiscsFromOneStart, FindThePathsOfSingleQueries) {
 TEST(DiscsFromOneStart, RefuseWhatSingleQueriesRefuse) {
   const std::vector<Point> goals{{9, 9}, {5, 5}};
   const World bare = World::create({{0, 0}, {100, 100}}).value();
-  EXPECT_EQ(bare.find_paths_from({.start = {1, 1}, .goals = goals, .radius = 1}).error().code, ErrorCode::no_bridges);
+  EXPECT_EQ(bare.find_paths_from({.start = {1, 1}, .goals = goals, .agent = {.radius = 1}}).error().code,
+            ErrorCode::no_bridges);
   const World world = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
-  EXPECT_EQ(world.find_paths_from({.start = {1, 1}, .goals = goals, .radius = -1}).error().code, ErrorCode::bad_radius);
-  EXPECT_TRUE(world.find_paths_from({.start = {1, 1}, .goals = {}, .radius = 1})->empty());
-  EXPECT_EQ(world.find_paths_from({.start = {1, 1}, .goals = goals, .radius = 2})->back().status,
+  EXPECT_EQ(world.find_paths_from({.start = {1, 1}, .goals = goals, .agent = {.radius = -1}}).error().code,
+            ErrorCode::bad_radius);
+  EXPECT_TRUE(world.find_paths_from({.start = {1, 1}, .goals = {}, .agent = {.radius = 1}})->empty());
+  EXPECT_EQ(world.find_paths_from({.start = {1, 1}, .goals = goals, .agent = {.radius = 2}})->back().status,
             PathStatus::start_blocked);
 }
 

@@ -31,7 +31,7 @@ void expect_refusal(const World& world, const PathQuery& query, const Path& path
   ASSERT_EQ(path.widest.has_value(), widest.is_connected);
   if (path.widest) {
     ASSERT_EQ(*path.widest, widest);
-    ASSERT_LT(path.widest->radius, query.radius);
+    ASSERT_LT(path.widest->radius, query.agent.radius);
   }
 }
 
@@ -50,13 +50,13 @@ TEST(DiscRefusals, SayWhatWidestPathSays) {
       const auto& [start, goal] = scene.queries[random.below(scene.queries.size())];
       const auto& [other_start, other_goal] = scene.queries[random.below(scene.queries.size())];
       PathQuery query{.start = start, .goal = random.chance(50) ? goal : other_start, .end_tolerance = 0.0};
-      query.radius = scene.radii[random.below(scene.radii.size())];
+      query.agent.radius = scene.radii[random.below(scene.radii.size())];
       query.algorithm = kAlgorithms[random.below(3)];
       if (query.algorithm == PathAlgorithm::tra && seed % 2 != 0) query.algorithm = PathAlgorithm::optimal;
       world.find_path(query, context, path).value();
       const auto of_widest = world.widest_path(query.start, query.goal).value();
       if (path.status == PathStatus::found) {
-        ASSERT_LE(query.radius, of_widest.radius);
+        ASSERT_LE(query.agent.radius, of_widest.radius);
       } else if (path.status == PathStatus::no_path) {
         ++refused;
         expect_refusal(world, query, path);
@@ -67,8 +67,9 @@ TEST(DiscRefusals, SayWhatWidestPathSays) {
       if (!ids.empty()) world.remove(ids[random.below(ids.size())]).value();
     }
   }
-  EXPECT_GT(refused, case_count());
 }
+EXPECT_GT(refused, case_count());
+}  // namespace
 
 TEST(DiscRefusals, AgreeInATownThatChanges) {
   DividedTown town(1);
@@ -80,10 +81,10 @@ TEST(DiscRefusals, AgreeInATownThatChanges) {
     const PathQuery query = town.query(std::array{1.0, 2.0, 4.0, 8.0}[town.random.below(4)], kAlgorithms[round % 3]);
     town.world.find_path(query, context, path).value();
     if (path.status == PathStatus::found) {
-      ASSERT_LE(query.radius, 3.0);
+      ASSERT_LE(query.agent.radius, 3.0);
     }
     if (path.status != PathStatus::no_path) continue;
-    ++counts[query.radius > 3.0 ? 1 : 0];
+    ++counts[query.agent.radius > 3.0 ? 1 : 0];
     expect_refusal(town.world, query, path);
     if (HasFatalFailure()) return;
   }
@@ -127,7 +128,8 @@ TEST(DiscRefusals, FindASmallEnclosedSideSoon) {
   const auto yard = std::vector<Point>{{1, 1}, {45, 1}, {45, 45}, {1, 45}, {1, 4}};
   town.world.insert(Shape::polyline(yard)).value();
   PathSearch search;
-  const PathQuery query{.start = {490, 985}, .goal = {23, 23}, .radius = 2.5, .algorithm = PathAlgorithm::optimal};
+  const PathQuery query{
+      .start = {490, 985}, .goal = {23, 23}, .agent = {.radius = 2.5}, .algorithm = PathAlgorithm::optimal};
   const std::size_t slices = count_slices(search, town.world, query);
   ASSERT_EQ(search.path().status, PathStatus::no_path);
   expect_refusal(town.world, query, search.path());
@@ -138,7 +140,7 @@ TEST(DiscRefusals, FindASmallEnclosedSideSoon) {
 TEST(DiscRefusals, BelongToOneWorld) {
   QueryContext context;
   Path path;
-  const PathQuery query{.start = {20, 50}, .goal = {80, 50}, .radius = 5};
+  const PathQuery query{.start = {20, 50}, .goal = {80, 50}, .agent = {.radius = 5}};
   for (const double gap : {6.0, 20.0, 8.0}) {
     World world = World::create({{0, 0}, {100, 100}}, {.keep_bridges = true}).value();
     world.insert_segment({50, 0}, {50, 45}).value();
@@ -156,7 +158,7 @@ TEST(DiscRefusals, KnowWhetherAnAttemptIsUnderWay) {
   DividedTown town(4);
   QueryContext context;
   Path path;
-  const PathQuery query{.start = {490, 498}, .goal = {510, 498}, .radius = 8, .end_tolerance = 0.0};
+  const PathQuery query{.start = {490, 498}, .goal = {510, 498}, .agent = {.radius = 8}, .end_tolerance = 0.0};
   const auto is_found = [&] {
     town.world.find_path(query, context, path).value();
     return path.status == PathStatus::found;
@@ -169,5 +171,5 @@ TEST(DiscRefusals, KnowWhetherAnAttemptIsUnderWay) {
   EXPECT_FALSE(is_found());
 }
 
-}  // namespace
+}  // namespace waywright::test
 }  // namespace waywright::test

@@ -46,7 +46,7 @@ void check_ta(const disc::Walls& walls, const World& world, PathQuery query, dou
     query.budget.expansions = budget;
     const Path path = world.find_path(query).value();
     ASSERT_EQ(path.status, PathStatus::found);
-    const auto report = disc::check_path(walls, query.start, query.goal, query.radius, disc::pieces_of(path));
+    const auto report = disc::check_path(walls, query.start, query.goal, query.agent.radius, disc::pieces_of(path));
     ASSERT_EQ(report.fault, "");
     ASSERT_NEAR(report.length, path.length, 1e-9 * path.length);
     ASSERT_LE(path.length, length);
@@ -66,7 +66,8 @@ void check_ta(const disc::Walls& walls, const World& world, PathQuery query, dou
 void check_query(const disc::Walls& walls, const disc::Connectivity& oracle, const World& world, const Point& start,
                  const Point& goal, double radius, Excess& excess) {
   if (!oracle.fits(start, radius) || !oracle.fits(goal, radius)) return;
-  PathQuery query{.start = start, .goal = goal, .radius = radius, .algorithm = PathAlgorithm::tra, .end_tolerance = 0};
+  PathQuery query{
+      .start = start, .goal = goal, .agent = {.radius = radius}, .algorithm = PathAlgorithm::tra, .end_tolerance = 0};
   const Path path = world.find_path(query).value();
   ASSERT_EQ(path.status == PathStatus::found, oracle.connected(start, goal, radius));
   if (path.status != PathStatus::found) return;
@@ -133,7 +134,8 @@ TEST(DiscTraTraps, HaveAPathExactlyIfThereIsOne) {
 /// Expects the same path from both worlds, found with the same number of expansions, by all three algorithms.
 void expect_same_paths(const World& a, const World& b, const Point& start, const Point& goal, double radius) {
   for (const PathAlgorithm algorithm : {PathAlgorithm::tra, PathAlgorithm::ta, PathAlgorithm::optimal}) {
-    const PathQuery query{.start = start, .goal = goal, .radius = radius, .algorithm = algorithm, .end_tolerance = 0.0};
+    const PathQuery query{
+        .start = start, .goal = goal, .agent = {.radius = radius}, .algorithm = algorithm, .end_tolerance = 0.0};
     const Path path = a.find_path(query).value();
     const Path other = b.find_path(query).value();
     EXPECT_EQ(path.status, PathStatus::found);
@@ -151,7 +153,7 @@ TEST(DiscTraChannels, DoNotLeadBackToTheStart) {
   world.insert_segment({6, 4.875}, {59, 62}).value();
   world.insert_segment({1.125, 50.375}, {37.25, 41.375}).value();
   world.insert(Shape::polygon({{32.375, 43.875}, {35.25, 43.875}, {35.25, 50}, {32.375, 50}})).value();
-  PathQuery query{.start = {29.9375, 54.6875}, .goal = {10.6875, 3.5}, .radius = 0.5};
+  PathQuery query{.start = {29.9375, 54.6875}, .goal = {10.6875, 3.5}, .agent = {.radius = 0.5}};
   const Path shortest = world.find_path(query).value();
   query.algorithm = PathAlgorithm::tra;
   const Path path = world.find_path(query).value();

@@ -316,7 +316,7 @@ TEST_P(FloatEnvironment, ChangesNoWalkOfADisc) {
   world.insert_segment({50.3, 0}, {51.7, 60.1}).value();
   world.insert_segment({70.3, 100}, {71.7, 40.7}).value();
   const std::uint64_t version = world.version();
-  const Path path = world.find_path({.start = {20.1, 50.3}, .goal = {90, 50}, .radius = 5.3}).value();
+  const Path path = world.find_path({.start = {20.1, 50.3}, .goal = {90, 50}, .agent = {.radius = 5.3}}).value();
   ASSERT_GE(path.pieces.size(), 5U);
   for (std::size_t i = 0; i <= 64; ++i) {
     const double distance = path.length * (static_cast<double>(i) / 64.0);

@@ -45,13 +45,13 @@ class NearestChecker {
 
   void check(const Point& point, double radius) {
     SCOPED_TRACE("nearest " + to_string(point) + ", radius " + std::to_string(radius));
-    const NearestFit fit = world_.nearest_fit({.point = point, .radius = radius}).value();
+    const NearestFit fit = world_.nearest_fit({.point = point, .agent = {.radius = radius}}).value();
     compare(fit, point, radius,
             disc::nearest_fit(walls_, point, radius, [&](Point p) { return scene_.domain.contains(p); }));
   }
   void check(const Point& point, double radius, const Point& goal) {
     SCOPED_TRACE("nearest " + to_string(point) + ", radius " + std::to_string(radius) + ", goal " + to_string(goal));
-    const NearestFit fit = world_.nearest_fit({.point = point, .radius = radius, .goal = goal}).value();
+    const NearestFit fit = world_.nearest_fit({.point = point, .agent = {.radius = radius}, .goal = goal}).value();
     if (fit.is_found) {
       ASSERT_TRUE(oracle_.connected(fit.at, goal, radius)) << to_string(fit.at);
     }
@@ -72,7 +72,7 @@ class NearestChecker {
       return;
     }
     ASSERT_TRUE(disc::fits(walls_, fit.at, radius)) << to_string(fit.at);
-    ASSERT_TRUE(world_.fit_disc(fit.at, radius).value().fits);
+    ASSERT_TRUE(world_.fit_disc(fit.at, {.radius = radius}).value().fits);
     ASSERT_EQ(fit.distance, distance(point, fit.at));
     const double least = distance(point, *expected);
     const double slack = is_narrow(*expected, radius) ? 0x1p-22 * radius : 0.0;
@@ -175,7 +175,7 @@ TEST(NearestFit, LiesOutsidePolygons) {
       const Point point{static_cast<double>(random.below(193)) / 8, static_cast<double>(random.below(193)) / 8};
       for (const double radius : {0.25, 0.5, 1.0, 1.375}) {
         SCOPED_TRACE("scene " + std::to_string(i) + ", " + to_string(point) + ", radius " + std::to_string(radius));
-        const NearestFit fit = world.nearest_fit({.point = point, .radius = radius}).value();
+        const NearestFit fit = world.nearest_fit({.point = point, .agent = {.radius = radius}}).value();
         const auto expected = disc::nearest_fit(walls, point, radius, is_outside);
         ASSERT_EQ(fit.is_found, expected.has_value());
         if (!fit.is_found) continue;
@@ -196,31 +196,34 @@ World two_rooms() {
 
 TEST(NearestFit, IsThePointItselfIfTheDiscFitsThere) {
   const World world = two_rooms();
-  EXPECT_EQ(world.nearest_fit({.point = {6, 5}, .radius = 2}).value(), (NearestFit{true, {6, 5}, 0}));
-  EXPECT_EQ(world.nearest_fit({.point = {10, 5}, .radius = 1}).value(), (NearestFit{true, {10, 5}, 0})) << "in a gap";
+  EXPECT_EQ(world.nearest_fit({.point = {6, 5}, .agent = {.radius = 2}}).value(), (NearestFit{true, {6, 5}, 0}));
+  EXPECT_EQ(world.nearest_fit({.point = {10, 5}, .agent = {.radius = 1}}).value(), (NearestFit{true, {10, 5}, 0}))
+      << "in a gap";
 }
 
 TEST(NearestFit, KeepsTheRadiusFromWalls) {
   const World world = two_rooms();
-  EXPECT_EQ(world.nearest_fit({.point = {9.5, 2}, .radius = 1}).value(), (NearestFit{true, {9, 2}, 0.5}));
-  EXPECT_EQ(world.nearest_fit({.point = {20, 10}, .radius = 1}).value().at, (Point{19, 9}));
-  EXPECT_EQ(world.nearest_fit({.point = {3.75, 3}, .radius = 0.5}).value(), (NearestFit{true, {4.5, 3}, 0.75}));
-  EXPECT_EQ(world.nearest_fit({.point = {10, 2}, .radius = 1}).value().at, (Point{9, 2})) << "the first of two";
-  EXPECT_FALSE(world.nearest_fit({.point = {10, 2}, .radius = 5.5}).value().is_found);
-  EXPECT_FALSE(world.nearest_fit({.point = {10, 2}, .radius = 1e300}).value().is_found);
+  EXPECT_EQ(world.nearest_fit({.point = {9.5, 2}, .agent = {.radius = 1}}).value(), (NearestFit{true, {9, 2}, 0.5}));
+  EXPECT_EQ(world.nearest_fit({.point = {20, 10}, .agent = {.radius = 1}}).value().at, (Point{19, 9}));
+  EXPECT_EQ(world.nearest_fit({.point = {3.75, 3}, .agent = {.radius = 0.5}}).value(),
+            (NearestFit{true, {4.5, 3}, 0.75}));
+  EXPECT_EQ(world.nearest_fit({.point = {10, 2}, .agent = {.radius = 1}}).value().at, (Point{9, 2}))
+      << "the first of two";
+  EXPECT_FALSE(world.nearest_fit({.point = {10, 2}, .agent = {.radius = 5.5}}).value().is_found);
+  EXPECT_FALSE(world.nearest_fit({.point = {10, 2}, .agent = {.radius = 1e300}}).value().is_found);
 }
 
 TEST(NearestFit, StopsAtTheLimit) {
   const World world = two_rooms();
-  EXPECT_TRUE(world.nearest_fit({.point = {9.5, 2}, .radius = 1, .limit = 0.5}).value().is_found);
-  EXPECT_FALSE(world.nearest_fit({.point = {9.5, 2}, .radius = 1, .limit = 0.499}).value().is_found);
-  EXPECT_TRUE(world.nearest_fit({.point = {9, 2}, .radius = 1, .limit = 0}).value().is_found);
+  EXPECT_TRUE(world.nearest_fit({.point = {9.5, 2}, .agent = {.radius = 1}, .limit = 0.5}).value().is_found);
+  EXPECT_FALSE(world.nearest_fit({.point = {9.5, 2}, .agent = {.radius = 1}, .limit = 0.499}).value().is_found);
+  EXPECT_TRUE(world.nearest_fit({.point = {9, 2}, .agent = {.radius = 1}, .limit = 0}).value().is_found);
 }
 
 TEST(NearestFit, IsConnectedWithTheGoal) {
   const World world = two_rooms();
   const auto at = [&](const Point& point, double radius, const Point& goal) {
-    return world.nearest_fit({.point = point, .radius = radius, .goal = goal}).value();
+    return world.nearest_fit({.point = point, .agent = {.radius = radius}, .goal = goal}).value();
   };
   EXPECT_EQ(at({9.5, 2}, 1, {15, 5}).at, (Point{9, 2})) << "the disc just passes the gap";
   EXPECT_EQ(at({9.5, 2}, 1.25, {15, 5}).at, (Point{11.25, 2}));
@@ -235,7 +238,8 @@ TEST(NearestFit, LiesBeyondAGapThatIsTooNarrowByRoundingOnly) {
   World world = World::create({{0, 0}, {20, 10}}, {.keep_bridges = true}).value();
   world.insert_segment({10, 2}, {10, 10}, 1).value();
   const double radius = std::nextafter(1.0, 2.0);
-  const NearestFit fit = world.nearest_fit({.point = {5, 0}, .radius = radius, .goal = Point{15, 5}}).value();
+  const NearestFit fit =
+      world.nearest_fit({.point = {5, 0}, .agent = {.radius = radius}, .goal = Point{15, 5}}).value();
   ASSERT_TRUE(fit.is_found);
   EXPECT_GT(fit.at.x, 10);
   EXPECT_NEAR(fit.distance, std::sqrt(26.0), 1e-6);
@@ -258,10 +262,10 @@ TEST(NearestFit, OfRadiusZeroIsWhereAPathCanStart) {
 
 TEST(NearestFit, NeedsBridgesOnlyForAGoal) {
   const World world = World::create({{0, 0}, {10, 10}}, {.keep_abstraction = false}).value();
-  EXPECT_EQ(world.nearest_fit({.point = {0, 5}, .radius = 1}).value().at, (Point{1, 5}));
+  EXPECT_EQ(world.nearest_fit({.point = {0, 5}, .agent = {.radius = 1}}).value().at, (Point{1, 5}));
   EXPECT_EQ(world.nearest_fit({.point = {0, 5}}).value().at, (Point{0, 5}));
   const auto code = [&](double radius) {
-    return world.nearest_fit({.point = {0, 5}, .radius = radius, .goal = Point{1, 1}}).error().code;
+    return world.nearest_fit({.point = {0, 5}, .agent = {.radius = radius}, .goal = Point{1, 1}}).error().code;
   };
   EXPECT_EQ(code(1), ErrorCode::no_bridges);
   EXPECT_EQ(code(0), ErrorCode::not_supported);
@@ -271,28 +275,29 @@ TEST(NearestFit, RefusesWrongArguments) {
   const World world = two_rooms();
   const auto error = [&](const NearestFitQuery& query) { return world.nearest_fit(query).error(); };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(error({.point = {21, 1}, .radius = 1}).code, ErrorCode::out_of_domain);
-  EXPECT_EQ(error({.point = {kInfinity, 1}, .radius = 1}).code, ErrorCode::coordinate_range);
-  EXPECT_EQ(error({.point = {1, 1}, .radius = -1}).code, ErrorCode::bad_radius);
-  EXPECT_EQ(error({.point = {1, 1}, .radius = kInfinity}).code, ErrorCode::bad_radius);
-  EXPECT_EQ(error({.point = {1, 1}, .radius = 1, .limit = -1}).code, ErrorCode::bad_distance);
-  EXPECT_EQ(error({.point = {1, 1}, .radius = 1, .limit = nan}).code, ErrorCode::bad_distance);
-  EXPECT_EQ(error({.point = {1, 1}, .radius = 1, .goal = Point{1, 11}}).code, ErrorCode::out_of_domain);
-  EXPECT_EQ(error({.point = {1, 1}, .radius = 1, .goal = Point{1, 11}}).index, 1U);
+  EXPECT_EQ(error({.point = {21, 1}, .agent = {.radius = 1}}).code, ErrorCode::out_of_domain);
+  EXPECT_EQ(error({.point = {kInfinity, 1}, .agent = {.radius = 1}}).code, ErrorCode::coordinate_range);
+  EXPECT_EQ(error({.point = {1, 1}, .agent = {.radius = -1}}).code, ErrorCode::bad_radius);
+  EXPECT_EQ(error({.point = {1, 1}, .agent = {.radius = kInfinity}}).code, ErrorCode::bad_radius);
+  EXPECT_EQ(error({.point = {1, 1}, .agent = {.radius = 1}, .limit = -1}).code, ErrorCode::bad_distance);
+  EXPECT_EQ(error({.point = {1, 1}, .agent = {.radius = 1}, .limit = nan}).code, ErrorCode::bad_distance);
+  EXPECT_EQ(error({.point = {1, 1}, .agent = {.radius = 1}, .goal = Point{1, 11}}).code, ErrorCode::out_of_domain);
+  EXPECT_EQ(error({.point = {1, 1}, .agent = {.radius = 1}, .goal = Point{1, 11}}).index, 1U);
 }
 
 // Extreme radii and coordinates.
 TEST(NearestFit, WorksWithRadiiOfAnySize) {
   const World world = two_rooms();
   for (const double radius : {5e-324, 1e-300, 1e-100, 1e-30, 1e-17, 1e-9}) {
-    const NearestFit fit = world.nearest_fit({.point = {10, 2}, .radius = radius}).value();
+    const NearestFit fit = world.nearest_fit({.point = {10, 2}, .agent = {.radius = radius}}).value();
     ASSERT_TRUE(fit.is_found) << radius;
-    EXPECT_TRUE(world.fit_disc(fit.at, radius).value().fits);
+    EXPECT_TRUE(world.fit_disc(fit.at, {.radius = radius}).value().fits);
     EXPECT_LE(fit.distance, radius + 0x1p-49) << radius;
   }
   World large = World::create({{-0x1p100, -0x1p100}, {0x1p100, 0x1p100}}, {.keep_bridges = true}).value();
   large.insert_segment({-0x1p99, 0}, {0x1p99, 0x1p-100}).value();
-  const NearestFit fit = large.nearest_fit({.point = {0, 0}, .radius = 0x1p90, .goal = Point{0, 0x1p98}}).value();
+  const NearestFit fit =
+      large.nearest_fit({.point = {0, 0}, .agent = {.radius = 0x1p90}, .goal = Point{0, 0x1p98}}).value();
   ASSERT_TRUE(fit.is_found);
   EXPECT_NEAR(std::abs(fit.at.y) / 0x1p90, 1, 1e-12);
 }
@@ -304,7 +309,8 @@ TEST(NearestFit, IsAsPreciseInASmallWorld) {
     World world = World::create({{0, 0}, {16 * scale, 16 * scale}}).value();
     world.insert_segment({3 * scale, 3 * scale}, {8 * scale, 8 * scale}).value();
     world.insert_segment({8 * scale, 8 * scale}, {13 * scale, 2 * scale}).value();
-    const NearestFit fit = world.nearest_fit({.point = {8.25 * scale, 9 * scale}, .radius = 1.5 * scale}).value();
+    const NearestFit fit =
+        world.nearest_fit({.point = {8.25 * scale, 9 * scale}, .agent = {.radius = 1.5 * scale}}).value();
     return fit.distance / scale;
   };
   const double expected = 1.5 - std::hypot(0.25, 1);
@@ -315,9 +321,9 @@ TEST(NearestFit, IsAsPreciseInASmallWorld) {
 
 TEST(NearestFit, EndsNearTheOriginForTheSmallestRadius) {
   const World world = World::create({{0, 0}, {0x1p-35, 0x1p-35}}, {.keep_bridges = true}).value();
-  const NearestFit fit = world.nearest_fit({.point = {0, 0}, .radius = 5e-324}).value();
+  const NearestFit fit = world.nearest_fit({.point = {0, 0}, .agent = {.radius = 5e-324}}).value();
   ASSERT_TRUE(fit.is_found);
-  EXPECT_TRUE(world.fit_disc(fit.at, 5e-324).value().fits);
+  EXPECT_TRUE(world.fit_disc(fit.at, {.radius = 5e-324}).value().fits);
   EXPECT_LE(fit.distance, 0x1p-96);
 }
 

@@ -41,8 +41,8 @@ TEST(PathWatch, SaysWhichPathsAreBlocked) {
   watch.add(7, world.find_path({.start = {10, 50}, .goal = {90, 50}}).value());
   watch.add(3, world.find_path({.start = {10, 10}, .goal = {90, 10}}).value());
   watch.add(5, world.find_path({.start = {10, 40}, .goal = {90, 40}}).value());
-  watch.add(9, world.find_path({.start = {10, 30}, .goal = {90, 30}, .radius = 10}).value());
-  watch.add(8, world.find_path({.start = {10, 25}, .goal = {90, 25}, .radius = 10}).value());
+  watch.add(9, world.find_path({.start = {10, 30}, .goal = {90, 30}, .agent = {.radius = 10}}).value());
+  watch.add(8, world.find_path({.start = {10, 25}, .goal = {90, 25}, .agent = {.radius = 10}}).value());
   world.insert(kHouse, 1).value();
   EXPECT_EQ(changes_of(watch, world), (PathChanges{{7}, {9}, {}}));
   EXPECT_EQ(changes_of(watch, world), PathChanges{}) << "nothing has changed since";
@@ -86,10 +86,10 @@ TEST(PathWatch, SaysWhichPathsHaveBecomePossible) {
     const Point inside{30, 50};
     const Point outside{10, 70};
     watch.add(1, world.find_path({.start = inside, .goal = outside}).value());
-    watch.add(2, world.find_path({.start = outside, .goal = inside, .radius = 2}).value());
-    watch.add(3, world.find_path({.start = outside, .goal = inside, .radius = 4}).value());
+    watch.add(2, world.find_path({.start = outside, .goal = inside, .agent = {.radius = 2}}).value());
+    watch.add(3, world.find_path({.start = outside, .goal = inside, .agent = {.radius = 4}}).value());
     watch.add(4, world.find_path({.start = outside, .goal = {85, 85}}).value());
-    watch.add(5, world.find_path({.start = inside, .goal = {45, 35}, .radius = 1}).value());
+    watch.add(5, world.find_path({.start = inside, .goal = {45, 35}, .agent = {.radius = 1}}).value());
     watch.add(6, world.find_path({.start = {81, 85}, .goal = inside, .end_tolerance = 5.0}).value());
     watch.add(7, world.find_paths_from({.start = outside, .goals = std::vector<Point>{inside}}).value().front());
     world.remove(3).value();
@@ -141,7 +141,7 @@ TEST(PathWatch, KnowsThatARewindOpensADoor) {
   world.insert_segment({20, 40}, {20, 46}, 2).value();
   PathWatch watch(world);
   watch.add(1, world.find_path({.start = {30, 50}, .goal = {10, 70}}).value());
-  watch.add(2, world.find_path({.start = {30, 50}, .goal = {10, 70}, .radius = 2}).value());
+  watch.add(2, world.find_path({.start = {30, 50}, .goal = {10, 70}, .agent = {.radius = 2}}).value());
   world.insert_segment({1, 1}, {2, 2}, 9).value();
   EXPECT_EQ(changes_of(watch, world), PathChanges{});
   ASSERT_TRUE(world.attempt({Change::remove({2})}, [](const World&) { return true; }).value());
@@ -207,7 +207,7 @@ TEST(PathWatch, KnowsHowFarADiscReaches) {
   World world = world_of_hundred();
   world.insert_segment({50, 0}, {50, 45.5}, 1).value();
   PathWatch watch(world);
-  watch.add(1, world.find_path({.start = {10, 50}, .goal = {90, 50}, .radius = 5}).value());
+  watch.add(1, world.find_path({.start = {10, 50}, .goal = {90, 50}, .agent = {.radius = 5}}).value());
   world.remove(1).value();
   EXPECT_EQ(changes_of(watch, world), (PathChanges{{}, {}, {1}}));
 }
@@ -306,7 +306,7 @@ TEST(PathWatch, ChecksAllPathsIfTheWorldHasForgottenTheBoxes) {
   PathWatch watch(world);
   watch.add(1, world.find_path({.start = {10, 50}, .goal = {90, 50}}).value());
   watch.add(2, world.find_path({.start = {10, 10}, .goal = {90, 10}}).value());
-  watch.add(3, world.find_path({.start = {10, 10}, .goal = {90, 10}, .radius = 1}).value());
+  watch.add(3, world.find_path({.start = {10, 10}, .goal = {90, 10}, .agent = {.radius = 1}}).value());
   const ItemId house = world.insert(kHouse).value();
   const ItemId other = world.insert_segment({1, 1}, {2, 2}).value();
   for (int i = 0; i < 3000; ++i) world.replace(other, Shape::segment({1, 1}, {2, 2.0 + i % 2})).value();
@@ -378,7 +378,7 @@ class Agents {
     return random_.chance(80) ? Shape::polygon({at, near(), near()}) : Shape::point(at);
   }
   void send(std::uint64_t key) {
-    queries_[key] = {.start = point(), .goal = point(), .radius = key % 4 == 0 ? radius_of_discs_ : 0.0};
+    queries_[key] = {.start = point(), .goal = point(), .agent = {.radius = key % 4 == 0 ? radius_of_discs_ : 0.0}};
     if (random_.chance(30)) queries_[key].end_tolerance = static_cast<double>(random_.below(8));
     search(key);
   }
@@ -407,7 +407,7 @@ class Agents {
     named += changes_.blocked.size() + changes_.may_be_too_long.size();
     for (auto& [key, path] : paths_) {
       ++asked;
-      const bool is_for_disc = queries_[key].radius > 0.0;
+      const bool is_for_disc = queries_[key].agent.radius > 0.0;
       const bool is_found = path.status == PathStatus::found;
       const bool is_blocked = !is_for_disc && is_found && !world_.is_clear(path.points).value();
       ASSERT_EQ(contains(changes_.blocked, key), is_blocked) << "path " << key;

@@ -46,7 +46,7 @@ class SweepChecker {
     SCOPED_TRACE(testing::Message() << std::hexfloat << "from (" << motion.from.x << ", " << motion.from.y << ") to ("
                                     << motion.to.x << ", " << motion.to.y << "), radius " << motion.radius);
     const disc::FirstTouch expected = disc::first_touch(walls_, motion);
-    world_.sweep_disc(motion.from, motion.to, motion.radius, context_, hit_).value();
+    world_.ray(motion.from, motion.to, {.radius = motion.radius}, context_, hit_).value();
     ASSERT_EQ(hit_.items, ids_of(expected.walls));
     ASSERT_EQ(hit_.hit, !expected.walls.empty());
     if (!hit_.hit) {
@@ -162,7 +162,7 @@ World walls_with_gap() {
 }
 
 RayHit sweep(const World& world, Point from, Point to, double radius) {
-  return world.sweep_disc(from, to, radius).value();
+  return world.ray(from, to, {.radius = radius}).value();
 }
 
 TEST(SweepDisc, StopsAtTheFirstWall) {
@@ -255,10 +255,10 @@ TEST(SweepDisc, DoesNotDependOnTheOrderOfInsertions) {
 
 TEST(SweepDisc, RefusesWhatItCannotUse) {
   const World world = walls_with_gap();
-  EXPECT_EQ(world.sweep_disc({-1, 5}, {5, 5}, 1).error().code, ErrorCode::out_of_domain);
-  EXPECT_EQ(world.sweep_disc({1, 5}, {500, 5}, 1).error().index, 1U);
-  EXPECT_EQ(world.sweep_disc({1, 5}, {5, 5}, -1).error().code, ErrorCode::bad_radius);
-  EXPECT_EQ(world.sweep_disc({1, 5}, {5, 5}, kInfinity).error().code, ErrorCode::bad_radius);
+  EXPECT_EQ(world.ray({-1, 5}, {5, 5}, {.radius = 1}).error().code, ErrorCode::out_of_domain);
+  EXPECT_EQ(world.ray({1, 5}, {500, 5}, {.radius = 1}).error().index, 1U);
+  EXPECT_EQ(world.ray({1, 5}, {5, 5}, {.radius = -1}).error().code, ErrorCode::bad_radius);
+  EXPECT_EQ(world.ray({1, 5}, {5, 5}, {.radius = kInfinity}).error().code, ErrorCode::bad_radius);
 }
 
 }  // namespace

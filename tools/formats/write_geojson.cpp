@@ -139,11 +139,11 @@ void GeoJsonWriter::add_path(const Point& start, const Point& goal, const Path& 
     properties += to_string(path.status);
     properties += '"';
   }
-  append_member(properties, "radius", path.radius);
+  append_member(properties, "radius", path.agent.radius);
   if (is_found) append_member(properties, "length", path.length);
   begin_feature({}, properties, is_found ? "LineString" : "MultiPoint");
   if (is_found) {
-    append_positions(text_, path.polyline(path.radius / 256.0).value(), 2);
+    append_positions(text_, path.polyline(path.agent.radius / 256.0).value(), 2);
   } else {
     append_positions(text_, std::vector<Point>{start, goal}, 2);
   }

@@ -21,14 +21,14 @@ ExitStatus path(const PathOptions& options) {
   PathQuery query;
   query.start = parse_point("--from", options.from);
   query.goal = parse_point("--to", options.to);
-  query.radius = parse_radius(options.radius);
+  query.agent.radius = parse_radius(options.radius);
   query.algorithm = options.algorithm;
   refuse_shared_files(files_of_map(options.map), {{"--svg", options.svg}, {"--geojson", options.geojson}});
   const Scene scene = load_scene(options.map);
   OutputFile svg(options.svg);
   OutputFile geojson(options.geojson);
   const SvgOptions picture = svg_options(options.picture, scene.domain, title_of(options.map), scene.y_down);
-  const World world = build_world(scene, options.map, query.radius);
+  const World world = build_world(scene, options.map, query.agent.radius);
 
   const Result<Path> searched = world.find_path(query);
   if (!searched.ok()) throw Failure(fmt::format("waywright: path: {}", searched.error().message()));
@@ -49,5 +49,6 @@ ExitStatus path(const PathOptions& options) {
   geojson.commit();
   return kDone;
 }
+}  // namespace waywright::command
 
 }  // namespace waywright::command

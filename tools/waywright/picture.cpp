@@ -32,7 +32,7 @@ std::string draw(const World& world, const SvgOverlay& overlay, const SvgOptions
 }
 
 void add_answer(SvgOverlay& overlay, const PathQuery& query, Path path) {
-  if (query.radius > 0.0) {
+  if (query.agent.radius > 0.0) {
     overlay.disc_paths.push_back({query, std::move(path)});
   } else if (path.status == PathStatus::found) {
     overlay.paths.push_back(std::move(path));

@@ -29,7 +29,7 @@ World create_world(const Script& script, const RunOptions& options) {
   // Only queries that ask where a disc gets to need the bridges, which make changes slower.
   const bool has_discs = std::any_of(script.lines.begin(), script.lines.end(), [](const ScriptLine& line) {
     const bool has_two_ends = line.kind == ScriptLineKind::path || line.has_goal;
-    return has_two_ends && line.radius > 0.0;
+    return has_two_ends && line.agent.radius > 0.0;
   });
   Result<World> world = World::create(script.domain, {.keep_bridges = has_discs, .new_vertex_limit = options.limit});
   if (!world.ok()) throw Failure(fmt::format("{}:{}: {}", options.script, script.domain_line, world.error().message()));

@@ -86,8 +86,7 @@ Outcome Runner::locate(const ScriptLine& line) {
 }
 
 Outcome Runner::cast_ray(const ScriptLine& line) {
-  const Result<void> cast = line.has_radius ? world_.sweep_disc(line.from, line.to, line.radius, context_, hit_)
-                                            : world_.ray(line.from, line.to, hit_);
+  const Result<void> cast = world_.ray(line.from, line.to, line.agent, context_, hit_);
   if (!cast.ok()) return refuse(line, cast.error());
   output_.write_line(json_line(request_of(line), hit_, line.has_radius ? RayOf::disc : RayOf::point));
   if (overlay_ != nullptr) overlay_->rays.push_back({line.from, line.to, hit_});
@@ -95,14 +94,14 @@ Outcome Runner::cast_ray(const ScriptLine& line) {
 }
 
 Outcome Runner::fit_disc(const ScriptLine& line) {
-  const Result<void> tried = world_.fit_disc(line.from, line.radius, context_, fit_);
+  const Result<void> tried = world_.fit_disc(line.from, line.agent, context_, fit_);
   if (!tried.ok()) return refuse(line, tried.error());
   output_.write_line(json_line(request_of(line), fit_));
   return Outcome::done;
 }
 
 Outcome Runner::find_nearest_fit(const ScriptLine& line) {
-  NearestFitQuery query{.point = line.from, .radius = line.radius};
+  NearestFitQuery query{.point = line.from, .agent = line.agent};
   if (line.has_goal) query.goal = line.to;
   NearestFit fit;
   const Result<void> searched = world_.nearest_fit(query, context_, fit);
@@ -112,7 +111,7 @@ Outcome Runner::find_nearest_fit(const ScriptLine& line) {
 }
 
 Outcome Runner::find_path(const ScriptLine& line) {
-  PathQuery query{line.from, line.to, line.radius, line.algorithm.value_or(PathAlgorithm::optimal)};
+  PathQuery query{line.from, line.to, line.agent, line.algorithm.value_or(PathAlgorithm::optimal)};
   query.end_tolerance = line.end_tolerance;
   Path path;
   const Result<void> searched = world_.find_path(query, context_, path);
@@ -123,7 +122,7 @@ Outcome Runner::find_path(const ScriptLine& line) {
 }
 
 Outcome Runner::test_clear(const ScriptLine& line) {
-  const Result<bool> is_clear = world_.is_clear(line.item.shape.rings.points(), context_);
+  const Result<bool> is_clear = world_.is_clear(line.item.shape.rings.points(), {}, context_);
   if (!is_clear.ok()) return refuse(line, is_clear.error());
   output_.write_line(json_line(request_of(line), *is_clear));
   return Outcome::done;

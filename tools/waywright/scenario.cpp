@@ -247,7 +247,7 @@ class ScenarioRun {
 
   /// Finds the path of a query. Returns the time that this took.
   std::chrono::nanoseconds ask(const ScenarioQuery& query, QueryContext& context, Path& path) const {
-    PathQuery asked{query.start, query.goal, radius_, options_.algorithm};
+    PathQuery asked{query.start, query.goal, {.radius = radius_}, options_.algorithm};
     asked.wants_time = true;
     const Result<void> done = world_.find_path(asked, context, path);
     if (done.ok()) return path.time;

@@ -23,6 +23,24 @@ std::string text_of(const std::vector<ItemId>& ids) {
   return text + "]";
 }
 
+void bind_agent(py::module_& module) {
+  py::class_<Agent>(module, "Agent", R"(
+What moves: a point, or a disc with a radius.
+
+>>> waywright.Agent(radius=5)
+<waywright.Agent radius 5.0>
+)")
+      .def(py::init([](double radius) { return Agent{radius}; }), py::kw_only(), py::arg("radius") = 0.0)
+      .def_property_readonly(
+          "radius", [](const Agent& self) { return self.radius; }, "The radius of the disc; 0 for a point.")
+      .def(
+          "__eq__", [](const Agent& a, const Agent& b) { return a == b; }, py::is_operator())
+      .def("__hash__", [](const Agent& self) { return py::hash(py::make_tuple(self.radius)); })
+      .def("__repr__", [](const Agent& self) { return "<waywright.Agent radius " + text_of(self.radius) + ">"; })
+      .def(py::pickle([](const Agent& self) { return py::make_tuple(self.radius); },
+                      [](const py::tuple& state) { return Agent{state[0].cast<double>()}; }));
+}
+
 void bind_location(py::module_& module) {
   py::class_<Location>(module, "Location",
                        "The answer of World.locate(): the vertex, edge or face at a point, and the polygons there.")
@@ -56,9 +74,7 @@ void bind_location(py::module_& module) {
 }
 
 void bind_ray_hit(py::module_& module) {
-  py::class_<RayHit>(
-      module, "RayHit",
-      "The answer of World.ray() and World.sweep_disc(): the first wall that the ray or the disc touches.")
+  py::class_<RayHit>(module, "RayHit", "The answer of World.ray(): the first wall that the agent touches.")
       .def_property_readonly(
           "hit", [](const RayHit& self) { return self.hit; }, "Whether there is a wall.")
       .def_property_readonly(
@@ -249,6 +265,7 @@ True
 }  // namespace
 
 void bind_answers(py::module_& module) {
+  bind_agent(module);
   bind_location(module);
   bind_ray_hit(module);
   bind_fits(module);

@@ -14,19 +14,6 @@ void check_lengths(std::size_t a, std::size_t b, const char* message) {
   if (a != b) throw py::value_error(message);
 }
 
-/// The radius of each query.
-class Radii {
- public:
-  Radii(const RadiiArg& radius, std::size_t count) : data_(radius.array.data()), is_one_(radius.is_one()) {
-    radius.check_count(count);
-  }
-  [[nodiscard]] double operator[](std::size_t i) const { return is_one_ ? *data_ : data_[i]; }
-
- private:
-  const double* data_;
-  bool is_one_;
-};
-
 /// The ids of a batch, query after query.
 class IdLists {
  public:
@@ -64,12 +51,11 @@ void run(const Handle& self, const Batch& batch, const py::object& progress, con
 }
 
 template <class Handle>
-py::tuple cast_rays(const Handle& self, const PointsArg& starts, const PointsArg& ends,
-                    const std::optional<RadiiArg>& radius, ThreadCount threads, const py::object& progress) {
+py::tuple cast_rays(const Handle& self, const PointsArg& starts, const PointsArg& ends, const AgentsArg& agents,
+                    ThreadCount threads, const py::object& progress) {
   const std::size_t count = starts.size();
   check_lengths(count, ends.size(), "starts and ends must have the same length");
-  std::optional<Radii> radii;
-  if (radius) radii.emplace(*radius, count);
+  agents.check_count(count);
   const Batch batch(count, threads.value);
   IdLists ids(batch, count);
   std::vector<std::uint8_t> hits(count);
@@ -79,8 +65,7 @@ py::tuple cast_rays(const Handle& self, const PointsArg& starts, const PointsArg
   const std::span<const Point> to = ends.span();
   run(self, batch, progress, [&](const World& world, QueryContext& context, const Chunk& chunk, std::size_t i) {
     thread_local RayHit hit;
-    const Result<void> done =
-        radii ? world.sweep_disc(from[i], to[i], (*radii)[i], context, hit) : world.ray(from[i], to[i], hit);
+    const Result<void> done = world.ray(from[i], to[i], agents[i], context, hit);
     if (!done) return done;
     hits[i] = hit.hit ? 1 : 0;
     at[i] = hit.at;
@@ -94,15 +79,15 @@ py::tuple cast_rays(const Handle& self, const PointsArg& starts, const PointsArg
 }
 
 template <class Handle>
-py::object fit_discs(const Handle& self, const PointsArg& centres, const RadiiArg& radius, ThreadCount threads,
+py::object fit_discs(const Handle& self, const PointsArg& centres, const AgentsArg& agents, ThreadCount threads,
                      const py::object& progress) {
-  const Radii radii(radius, centres.size());
+  agents.check_count(centres.size());
   const Batch batch(centres.size(), threads.value);
   std::vector<std::uint8_t> fits(centres.size());
   const std::span<const Point> points = centres.span();
   run(self, batch, progress, [&](const World& world, QueryContext& context, const Chunk&, std::size_t i) {
     thread_local DiscFit fit;
-    const Result<void> done = world.fit_disc(points[i], radii[i], context, fit);
+    const Result<void> done = world.fit_disc(points[i], agents[i], context, fit);
     if (done) fits[i] = fit.fits ? 1 : 0;
     return done;
   });
@@ -110,9 +95,9 @@ py::object fit_discs(const Handle& self, const PointsArg& centres, const RadiiAr
 }
 
 template <class Handle>
-py::tuple nearest_fits(const Handle& self, const PointsArg& points, const RadiiArg& radius, double limit,
+py::tuple nearest_fits(const Handle& self, const PointsArg& points, const AgentsArg& agents, double limit,
                        ThreadCount threads, const py::object& progress) {
-  const Radii radii(radius, points.size());
+  agents.check_count(points.size());
   const Batch batch(points.size(), threads.value);
   std::vector<std::uint8_t> found(points.size());
   std::vector<Point> at(points.size());
@@ -120,7 +105,7 @@ py::tuple nearest_fits(const Handle& self, const PointsArg& points, const RadiiA
   const std::span<const Point> all = points.span();
   run(self, batch, progress, [&](const World& world, QueryContext& context, const Chunk&, std::size_t i) {
     NearestFit fit;
-    const Result<void> done = world.nearest_fit({.point = all[i], .radius = radii[i], .limit = limit}, context, fit);
+    const Result<void> done = world.nearest_fit({.point = all[i], .agent = agents[i], .limit = limit}, context, fit);
     if (!done) return done;
     found[i] = fit.is_found ? 1 : 0;
     at[i] = fit.at;
@@ -147,15 +132,16 @@ py::tuple items_at_all(const Handle& self, const PointsArg& points, ThreadCount 
 }
 
 template <class Handle>
-py::object are_clear(const Handle& self, const PointsArg& starts, const PointsArg& ends, ThreadCount threads,
-                     const py::object& progress) {
+py::object are_clear(const Handle& self, const PointsArg& starts, const PointsArg& ends, const AgentsArg& agents,
+                     ThreadCount threads, const py::object& progress) {
   check_lengths(starts.size(), ends.size(), "starts and ends must have the same length");
+  agents.check_count(starts.size());
   const Batch batch(starts.size(), threads.value);
   std::vector<std::uint8_t> clear(starts.size());
   const std::span<const Point> from = starts.span();
   const std::span<const Point> to = ends.span();
   run(self, batch, progress, [&](const World& world, QueryContext& context, const Chunk&, std::size_t i) {
-    const Result<bool> is_clear = world.is_clear(from[i], to[i], context);
+    const Result<bool> is_clear = world.is_clear(from[i], to[i], agents[i], context);
     if (!is_clear) return Result<void>(is_clear.error());
     clear[i] = *is_clear ? 1 : 0;
     return Result<void>();
@@ -170,21 +156,21 @@ void bind_batches(Class& world) {
   using Handle = typename Class::type;
   bind_path_batches(world);
   world
-      .def("_rays", &cast_rays<Handle>, py::arg("starts"), py::arg("ends"), py::arg("radius"), py::arg("threads"),
+      .def("_rays", &cast_rays<Handle>, py::arg("starts"), py::arg("ends"), py::arg("agent"), py::arg("threads"),
            py::arg("progress"))
-      .def("_nearest_fits", &nearest_fits<Handle>, py::arg("points"), py::arg("radius"), py::arg("limit"),
+      .def("_nearest_fits", &nearest_fits<Handle>, py::arg("points"), py::arg("agent"), py::arg("limit"),
            py::arg("threads"), py::arg("progress"))
       .def("_items_at_all", &items_at_all<Handle>, py::arg("points"), py::arg("threads"), py::arg("progress"))
-      .def("fit_discs", &fit_discs<Handle>, py::arg("centres"), py::arg("radius"), py::kw_only(),
-           py::arg("threads") = 1, py::arg("progress") = py::none(),
+      .def("fit_discs", &fit_discs<Handle>, py::arg("centres"), py::arg("agent"), py::kw_only(), py::arg("threads") = 1,
+           py::arg("progress") = py::none(),
            R"(Returns an array that says for each centre whether a disc fits there.
 
->>> world.fit_discs([(30, 50), (38, 50), (50, 50)], 5)
+>>> world.fit_discs([(30, 50), (38, 50), (50, 50)], waywright.Agent(radius=5))
 array([ True, False, False])
 )")
-      .def("are_clear", &are_clear<Handle>, py::arg("starts"), py::arg("ends"), py::kw_only(), py::arg("threads") = 1,
-           py::arg("progress") = py::none(),
-           R"(Returns an array that says for each segment whether a point agent can walk along it.
+      .def("are_clear", &are_clear<Handle>, py::arg("starts"), py::arg("ends"), py::arg("agent") = Agent{},
+           py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
+           R"(Returns an array that says for each segment whether an agent can walk along it.
 
 >>> world.are_clear([(10, 50), (10, 70)], [(90, 50), (90, 70)])
 array([False,  True])

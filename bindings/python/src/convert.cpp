@@ -171,9 +171,23 @@ std::string file_name_of(py::handle source) {
   return name;
 }
 
-void RadiiArg::check_count(std::size_t count) const {
-  if (!is_one() && static_cast<std::size_t>(array.size()) != count) {
-    throw py::value_error("radius must be one number, or one for each query");
+void AgentsArg::check_count(std::size_t count) const {
+  if (!is_one && agents.size() != count) throw py::value_error("agent must be one agent, or one for each query");
+}
+
+void read_agents(py::handle object, AgentsArg& agents) {
+  agents.is_one = py::isinstance<Agent>(object);
+  if (agents.is_one) {
+    agents.agents = {object.cast<const Agent&>()};
+    return;
+  }
+  constexpr const char* kWhat = "agent must be an Agent, or a list with one for each query";
+  if (PySequence_Check(object.ptr()) == 0) throw py::type_error(kWhat);
+  const py::list list(py::reinterpret_borrow<py::object>(object));
+  agents.agents.reserve(list.size());
+  for (const py::handle each : list) {
+    if (!py::isinstance<Agent>(each)) throw py::type_error(kWhat);
+    agents.agents.push_back(each.cast<const Agent&>());
   }
 }
 

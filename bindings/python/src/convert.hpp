@@ -28,6 +28,8 @@ namespace py = pybind11;
 template <class T>
 inline constexpr bool kIsBoundToPython = false;
 template <>
+inline constexpr bool kIsBoundToPython<Agent> = true;
+template <>
 inline constexpr bool kIsBoundToPython<BridgeList> = true;
 template <>
 inline constexpr bool kIsBoundToPython<Change> = true;
@@ -112,15 +114,17 @@ struct PointsArg {
   [[nodiscard]] std::span<const Point> span() const;
 };
 
-/// An argument that is one radius for all queries of a batch, or a list with one for each query.
-struct RadiiArg {
-  DoubleArray array;
+/// An argument that is one agent for all queries of a batch, or a list with one for each query.
+struct AgentsArg {
+  std::vector<Agent> agents;
+  bool is_one = true;
 
-  [[nodiscard]] bool is_one() const { return array.ndim() == 0; }
-  [[nodiscard]] double one() const { return *array.data(); }
+  [[nodiscard]] const Agent& operator[](std::size_t i) const { return agents[is_one ? 0 : i]; }
   /// Exceptions: py::value_error, if it is a list that has not `count` elements.
   void check_count(std::size_t count) const;
 };
+/// Reads agents from an Agent, or from a sequence of them. Exceptions: py::type_error, if the object is neither.
+void read_agents(py::handle object, AgentsArg& agents);
 
 /// An argument that is a number of threads.
 struct ThreadCount {
@@ -307,11 +311,10 @@ struct type_caster<waywright::python::PointsArg> {
 };
 
 template <>
-struct type_caster<waywright::python::RadiiArg> {
-  PYBIND11_TYPE_CASTER(waywright::python::RadiiArg, const_name("radius"));
+struct type_caster<waywright::python::AgentsArg> {
+  PYBIND11_TYPE_CASTER(waywright::python::AgentsArg, const_name("agent"));
   bool load(handle source, bool) {
-    value.array = waywright::python::doubles_of(source, "radius must be a number, or an array of numbers");
-    if (value.array.ndim() > 1) throw value_error("radius must be one number, or one for each query");
+    waywright::python::read_agents(source, value);
     return true;
   }
 };

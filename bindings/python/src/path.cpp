@@ -76,7 +76,7 @@ std::string repr_of(const Path& path) {
   const py::str length = py::repr(py::float_(path.length));
   const std::string count = path.pieces.empty() ? std::to_string(path.points.size()) + " points"
                                                 : std::to_string(path.pieces.size()) + " pieces, radius " +
-                                                      std::string(py::str(py::repr(py::float_(path.radius))));
+                                                      std::string(py::str(py::repr(py::float_(path.agent.radius))));
   return "<waywright.Path found, length " + std::string(length) + ", " + count + ">";
 }
 
@@ -95,7 +95,7 @@ std::optional<QueryEnds> ends_from(const py::object& state) {
 }
 
 py::tuple state_of(const Path& path) {
-  return py::make_tuple(path.status, path.length, path.lower_bound, path.radius, bytes_of(path.points),
+  return py::make_tuple(path.status, path.length, path.lower_bound, path.agent, bytes_of(path.points),
                         bytes_of(path.pieces), bytes_of(path.channel), path.expansions, path.time.count(),
                         moved(path.moved_start), moved(path.moved_goal), bytes_of(path.blockers),
                         path.widest ? py::cast(*path.widest) : py::none(), state_of_ends(path.ends));
@@ -116,11 +116,12 @@ bool is_usable(const QueryEnds& ends) {
 
 /// Returns whether the numbers of a path are plausible. The numbers in a damaged pickle may not be.
 bool is_usable(const Path& path) {
-  return std::isfinite(path.length) && path.length >= 0.0 && std::isfinite(path.radius) && path.radius >= 0.0 &&
-         (!path.ends || is_usable(*path.ends)) &&
+  return std::isfinite(path.length) && path.length >= 0.0 && std::isfinite(path.agent.radius) &&
+         path.agent.radius >= 0.0 && (!path.ends || is_usable(*path.ends)) &&
          std::all_of(path.points.begin(), path.points.end(), [](const Point& point) { return is_in_range(point); }) &&
          std::all_of(path.pieces.begin(), path.pieces.end(), [&](const PathPiece& piece) {
-           return is_usable(piece) && piece.radius <= path.radius;  // polyline() counts with the radius of the path
+           return is_usable(piece) &&
+                  piece.radius <= path.agent.radius;  // polyline() counts with the radius of the path
          });
 }
 
@@ -130,7 +131,7 @@ std::unique_ptr<Path> path_from(const py::tuple& state) {
   path->status = state[0].cast<PathStatus>();
   path->length = state[1].cast<double>();
   path->lower_bound = state[2].cast<double>();
-  path->radius = state[3].cast<double>();
+  path->agent = state[3].cast<Agent>();
   path->points = from_bytes<Point>(state[4].cast<py::bytes>());
   path->pieces = from_bytes<PathPiece>(state[5].cast<py::bytes>());
   path->channel = from_bytes<Portal>(state[6].cast<py::bytes>());
@@ -216,7 +217,7 @@ array([[10., 70.],
           "polyline", [](const Path& self, double tolerance) { return own_points(self.polyline(tolerance).value()); },
           py::arg("tolerance"), R"(Returns the path as points: no arc is farther than ``tolerance`` from them.
 
->>> world.find_path((10, 45), (90, 45), radius=5).polyline(0.5).shape
+>>> world.find_path((10, 45), (90, 45), agent=waywright.Agent(radius=5)).polyline(0.5).shape
 (6, 2)
 )");
 }
@@ -233,7 +234,7 @@ void bind_facts(PathClass& path) {
           "lower_bound", [](const Path& self) { return self.lower_bound; },
           "A lower bound: no path is shorter than this number.")
       .def_property_readonly(
-          "radius", [](const Path& self) { return self.radius; }, "The radius of the agent.")
+          "agent", [](const Path& self) { return self.agent; }, "The agent of the query.")
       .def_property_readonly(
           "points", [](const py::object& self) { return view_points(self.cast<const Path&>().points, self); },
           "The start, the turns and the goal: an array that shares the memory of the path. It is empty for a "
@@ -267,10 +268,10 @@ void bind_facts(PathClass& path) {
 
 }  // namespace
 
-PathQuery query_of(Point start, Point goal, double radius, PathAlgorithm algorithm, std::optional<double> end_tolerance,
-                   std::optional<std::size_t> budget_expansions, std::optional<double> budget_time) {
-  PathQuery query{
-      .start = start, .goal = goal, .radius = radius, .algorithm = algorithm, .end_tolerance = end_tolerance};
+PathQuery query_of(Point start, Point goal, const Agent& agent, PathAlgorithm algorithm,
+                   std::optional<double> end_tolerance, std::optional<std::size_t> budget_expansions,
+                   std::optional<double> budget_time) {
+  PathQuery query{.start = start, .goal = goal, .agent = agent, .algorithm = algorithm, .end_tolerance = end_tolerance};
   query.budget.expansions = budget_expansions.value_or(budget_time ? PathBudget::kNoLimit : 0);
   if (budget_time) {
     if (!(*budget_time >= 0.0)) throw py::value_error("budget_time must be a number of seconds, 0 or more");

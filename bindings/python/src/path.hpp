@@ -11,7 +11,7 @@ namespace waywright::python {
 
 /// Returns the query of the arguments that all functions for paths have. `time` is in seconds.
 /// Exceptions: py::value_error, if the time is no number or negative.
-[[nodiscard]] PathQuery query_of(Point start, Point goal, double radius, PathAlgorithm algorithm,
+[[nodiscard]] PathQuery query_of(Point start, Point goal, const Agent& agent, PathAlgorithm algorithm,
                                  std::optional<double> end_tolerance, std::optional<std::size_t> budget_expansions,
                                  std::optional<double> budget_time);
 

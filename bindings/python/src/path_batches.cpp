@@ -90,7 +90,7 @@ struct Options {
 
 /// Finds the paths of a chunk.
 void find_chunk(const World& world, QueryContext& context, const Chunk& chunk, std::span<const Point> starts,
-                std::span<const Point> goals, const double* radii, const Options& options, PathAnswers& answers) {
+                std::span<const Point> goals, const AgentsArg& agents, const Options& options, PathAnswers& answers) {
   thread_local Path path;
   thread_local std::vector<Point> line;
   PathQuery query = options.query;
@@ -98,7 +98,7 @@ void find_chunk(const World& world, QueryContext& context, const Chunk& chunk, s
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     query.start = starts[i];
     query.goal = goals[i];
-    if (radii != nullptr) query.radius = radii[i];
+    query.agent = agents[i];
     if (const Result<void> done = world.find_path(query, context, path); !done) refuse_query(done.error(), i);
     std::span<const Point> points = path.points;
     if (options.tolerance && !path.pieces.empty()) {
@@ -114,17 +114,15 @@ void find_chunk(const World& world, QueryContext& context, const Chunk& chunk, s
 }
 
 template <class Handle>
-py::tuple find_paths(const Handle& self, const PointsArg& starts, const PointsArg& goals, const RadiiArg& radius,
+py::tuple find_paths(const Handle& self, const PointsArg& starts, const PointsArg& goals, const AgentsArg& agents,
                      PathAlgorithm algorithm, std::optional<double> end_tolerance,
                      std::optional<std::size_t> budget_expansions, std::optional<double> budget_time,
                      std::optional<double> tolerance, bool wants_points, ThreadCount threads,
                      const py::object& progress) {
   const std::size_t count = starts.size();
   if (goals.size() != count) throw py::value_error("starts and goals must have the same length");
-  radius.check_count(count);
-  const double* const radii = radius.is_one() ? nullptr : radius.array.data();
-  Options options{.query = query_of({}, {}, radius.is_one() ? radius.one() : 0.0, algorithm, end_tolerance,
-                                    budget_expansions, budget_time),
+  agents.check_count(count);
+  Options options{.query = query_of({}, {}, {}, algorithm, end_tolerance, budget_expansions, budget_time),
                   .wants_points = wants_points,
                   .tolerance = tolerance};
   Reporter reporter(progress);
@@ -132,7 +130,7 @@ py::tuple find_paths(const Handle& self, const PointsArg& starts, const PointsAr
   PathAnswers answers(batch, count);
   self.read_long([&](const World& world) {
     batch.run(self.contexts(), reporter, [&](QueryContext& context, const Chunk& chunk) {
-      find_chunk(world, context, chunk, starts.span(), goals.span(), radii, options, answers);
+      find_chunk(world, context, chunk, starts.span(), goals.span(), agents, options, answers);
     });
   });
   return answers.arrays();
@@ -143,7 +141,7 @@ py::tuple find_paths(const Handle& self, const PointsArg& starts, const PointsAr
 template <class Class>
 void bind_path_batches(Class& world) {
   using Handle = typename Class::type;
-  world.def("_find_paths", &find_paths<Handle>, py::arg("starts"), py::arg("goals"), py::arg("radius"),
+  world.def("_find_paths", &find_paths<Handle>, py::arg("starts"), py::arg("goals"), py::arg("agent"),
             py::arg("algorithm"), py::arg("end_tolerance"), py::arg("budget_expansions"), py::arg("budget_time"),
             py::arg("tolerance"), py::arg("wants_points"), py::arg("threads"), py::arg("progress"));
 }

@@ -66,7 +66,8 @@ void bind_script_line(py::module_& module) {
       .def_property_readonly(
           "end", [](const ScriptLine& self) { return self.to; }, "The second point of a query.")
       .def_property_readonly(
-          "radius", [](const ScriptLine& self) { return self.radius; }, "The radius of a query.")
+          "agent", [](const ScriptLine& self) { return self.agent; },
+          "The agent of a query, with the radius of the line.")
       .def_property_readonly(
           "has_radius", [](const ScriptLine& self) { return self.has_radius; },
           "Of a 'ray': whether the line gives a radius.")

@@ -18,7 +18,7 @@ std::optional<std::pair<Point, Point>> ends_of(const Path& path) {
 
 void add_path(SvgOverlay& overlay, const Path& path) {
   if (const auto ends = ends_of(path)) {
-    PathQuery query{.start = ends->first, .goal = ends->second, .radius = path.radius};
+    PathQuery query{.start = ends->first, .goal = ends->second, .agent = path.agent};
     overlay.disc_paths.push_back({query, path});
   } else if (!path.points.empty()) {
     overlay.paths.push_back(path);

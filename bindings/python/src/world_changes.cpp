@@ -106,11 +106,11 @@ True
 )")
       .def(
           "would_disconnect",
-          [](WorldHandle& self, const py::object& changes, const PointsArg& points, double radius) {
+          [](WorldHandle& self, const py::object& changes, const PointsArg& points, const Agent& agent) {
             const std::vector<Change> list = changes_of(changes);
-            return self.write([&](World& w) { return w.would_disconnect(list, points.span(), radius).value(); });
+            return self.write([&](World& w) { return w.would_disconnect(list, points.span(), agent).value(); });
           },
-          py::arg("changes"), py::arg("points"), py::arg("radius") = 0.0,
+          py::arg("changes"), py::arg("points"), py::arg("agent") = Agent{},
           R"(Returns whether changes would block one of the points, or disconnect it from another one.
 
 >>> world.would_disconnect(waywright.Shape.segment((30, 0), (30, 100)), [(10, 50), (90, 50)])

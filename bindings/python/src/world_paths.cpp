@@ -11,10 +11,11 @@ namespace waywright::python {
 namespace {
 
 template <class Handle>
-std::unique_ptr<Path> find_path(const Handle& self, Point start, Point goal, double radius, PathAlgorithm algorithm,
-                                std::optional<double> end_tolerance, std::optional<std::size_t> budget_expansions,
-                                std::optional<double> budget_time, bool wants_channel, bool wants_time) {
-  PathQuery query = query_of(start, goal, radius, algorithm, end_tolerance, budget_expansions, budget_time);
+std::unique_ptr<Path> find_path(const Handle& self, Point start, Point goal, const Agent& agent,
+                                PathAlgorithm algorithm, std::optional<double> end_tolerance,
+                                std::optional<std::size_t> budget_expansions, std::optional<double> budget_time,
+                                bool wants_channel, bool wants_time) {
+  PathQuery query = query_of(start, goal, agent, algorithm, end_tolerance, budget_expansions, budget_time);
   query.wants_channel = wants_channel;
   query.wants_time = wants_time;
   auto path = std::make_unique<Path>();
@@ -24,11 +25,11 @@ std::unique_ptr<Path> find_path(const Handle& self, Point start, Point goal, dou
 }
 
 template <class Handle>
-std::vector<Path> find_paths_from(const Handle& self, Point start, const PointsArg& goals, double radius,
+std::vector<Path> find_paths_from(const Handle& self, Point start, const PointsArg& goals, const Agent& agent,
                                   bool wants_points, std::optional<double> end_tolerance) {
   const ManyGoalsQuery query{.start = start,
                              .goals = goals.span(),
-                             .radius = radius,
+                             .agent = agent,
                              .wants_points = wants_points,
                              .end_tolerance = end_tolerance};
   const ContextPool::Loan context(self.contexts());
@@ -45,16 +46,19 @@ void bind_affected(Class& world) {
   world
       .def(
           "is_affected",
-          [](const Handle& self, const py::object& path, std::uint64_t since) {
+          [](const Handle& self, const py::object& path, std::uint64_t since, const std::optional<Agent>& agent) {
             if (py::isinstance<Path>(path)) {
+              if (agent) throw py::type_error("a Path has its own agent");
               const auto& known = path.cast<const Path&>();
               return self.read([&](const World& w) { return w.is_affected(known, since); });
             }
             const auto points = path.cast<PointsArg>();
-            return self.read([&](const World& w) { return w.is_affected(points.span(), since); });
+            return self.read(
+                [&](const World& w) { return w.is_affected(points.span(), since, agent.value_or(Agent{})); });
           },
-          py::arg("path"), py::arg("version"),
-          "Returns whether a path or a list of points meets a box that an operation after a version has changed.")
+          py::arg("path"), py::arg("version"), py::arg("agent") = py::none(),
+          "Returns whether an agent on a path or on a list of points meets a box that an operation after a version has "
+          "changed. A list of points takes an agent; a Path has its own.")
       .def(
           "find_affected",
           [](const Handle& self, const py::iterable& paths, std::uint64_t since) {
@@ -82,23 +86,23 @@ template <class Class>
 void bind_world_paths(Class& world) {
   using Handle = typename Class::type;
   world
-      .def("find_path", &find_path<Handle>, py::arg("start"), py::arg("goal"), py::arg("radius") = 0.0,
+      .def("find_path", &find_path<Handle>, py::arg("start"), py::arg("goal"), py::arg("agent") = Agent{},
            py::arg("algorithm") = PathAlgorithm::optimal, py::kw_only(), py::arg("end_tolerance") = py::none(),
            py::arg("budget_expansions") = py::none(), py::arg("budget_time") = py::none(),
            py::arg("wants_channel") = false, py::arg("wants_time") = false,
            R"(Finds a path from a start to a goal. "No path" is an answer, not an error.
 
-With a radius above 0, it is the shortest path of a disc's centre, in Path.pieces; the world must keep its bridges.
+For an agent with a radius, it is the shortest path of a disc's centre, in Path.pieces; the world must keep its bridges.
 ``algorithm`` is 'optimal', 'ta' (a first path quickly, and a better one with a budget) or 'tra' (for crowds).
 ``end_tolerance``: the largest distance by which the search may move a blocked end. ``budget_expansions``: the number of
 triangles, ``budget_time``: the number of seconds that a search by 'ta' may use.
 
->>> world.find_path((10, 45), (90, 45), radius=5)
+>>> world.find_path((10, 45), (90, 45), agent=waywright.Agent(radius=5))
 <waywright.Path found, length 83.30297354829254, 5 pieces, radius 5.0>
 >>> world.find_path((50, 50), (90, 45)).status
 'start-blocked'
 )")
-      .def("find_paths_from", &find_paths_from<Handle>, py::arg("start"), py::arg("goals"), py::arg("radius") = 0.0,
+      .def("find_paths_from", &find_paths_from<Handle>, py::arg("start"), py::arg("goals"), py::arg("agent") = Agent{},
            py::kw_only(), py::arg("wants_points") = false, py::arg("end_tolerance") = py::none(),
            R"(Finds the shortest path from a start to each goal. Returns a list of paths.
 

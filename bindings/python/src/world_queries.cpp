@@ -72,15 +72,19 @@ void bind_segments(Class& world) {
 )")
       .def(
           "ray",
-          [](const Handle& self, Point start, Point end) {
+          [](const Handle& self, Point start, Point end, const Agent& agent) {
             RayHit hit;
-            self.read([&](const World& w) { w.ray(start, end, hit).value(); });
+            const ContextPool::Loan context(self.contexts());
+            self.read([&](const World& w) { w.ray(start, end, agent, *context, hit).value(); });
             return hit;
           },
-          py::arg("start"), py::arg("end"), R"(Finds the first wall that a segment touches, seen from its start.
+          py::arg("start"), py::arg("end"), py::arg("agent") = Agent{},
+          R"(Finds the first wall that an agent touches while it moves along a segment.
 
 >>> world.ray((10, 50), (90, 50))
 <waywright.RayHit at (40, 50), items [1]>
+>>> world.ray((10, 50), (90, 50), waywright.Agent(radius=5)).at
+(35.0, 50.0)
 )");
 }
 
@@ -89,59 +93,46 @@ void bind_discs(Class& world) {
   using Handle = typename Class::type;
   world
       .def(
-          "sweep_disc",
-          [](const Handle& self, Point start, Point end, double radius) {
-            RayHit hit;
-            const ContextPool::Loan context(self.contexts());
-            self.read([&](const World& w) { w.sweep_disc(start, end, radius, *context, hit).value(); });
-            return hit;
-          },
-          py::arg("start"), py::arg("end"), py::arg("radius"),
-          R"(Finds the first wall that a disc touches while its centre moves along a segment.
-
->>> world.sweep_disc((10, 50), (90, 50), 5).at
-(35.0, 50.0)
-)")
-      .def(
           "fit_disc",
-          [](const Handle& self, Point centre, double radius) {
+          [](const Handle& self, Point centre, const Agent& agent) {
             DiscFit fit;
             const ContextPool::Loan context(self.contexts());
-            self.read([&](const World& w) { w.fit_disc(centre, radius, *context, fit).value(); });
+            self.read([&](const World& w) { w.fit_disc(centre, agent, *context, fit).value(); });
             return fit;
           },
-          py::arg("centre"), py::arg("radius"), R"(Finds out whether a disc fits at a position.
+          py::arg("centre"), py::arg("agent"), R"(Finds out whether a disc fits at a position.
 
->>> world.fit_disc((30, 50), 12)
+>>> world.fit_disc((30, 50), waywright.Agent(radius=12))
 <waywright.DiscFit stopped by [1]>
 )")
       .def(
           "nearest_fit",
-          [](const Handle& self, Point point, double radius, std::optional<Point> goal, double limit) {
+          [](const Handle& self, Point point, const Agent& agent, std::optional<Point> goal, double limit) {
             NearestFit fit;
             const ContextPool::Loan context(self.contexts());
-            const NearestFitQuery query{.point = point, .radius = radius, .goal = goal, .limit = limit};
+            const NearestFitQuery query{.point = point, .agent = agent, .goal = goal, .limit = limit};
             self.read_long([&](const World& w) { w.nearest_fit(query, *context, fit).value(); });
             return fit;
           },
-          py::arg("point"), py::arg("radius"), py::kw_only(), py::arg("goal") = py::none(),
+          py::arg("point"), py::arg("agent"), py::kw_only(), py::arg("goal") = py::none(),
           py::arg("limit") = std::numeric_limits<double>::infinity(),
           R"(Finds the nearest point to ``point``, among all points where a disc fits.
 
 With ``goal``, finds the nearest point from which the disc can move to the goal.
 
->>> world.nearest_fit((45, 50), 5)
+>>> world.nearest_fit((45, 50), waywright.Agent(radius=5))
 <waywright.NearestFit at (35, 50), 10.0 away>
 )")
       .def(
           "widest_path",
-          [](const Handle& self, Point start, Point goal) {
+          [](const Handle& self, Point start, Point goal, const Agent& agent) {
             WidestPath widest;
             const ContextPool::Loan context(self.contexts());
-            self.read_long([&](const World& w) { w.widest_path(start, goal, *context, widest).value(); });
+            self.read_long([&](const World& w) { w.widest_path(start, goal, agent, *context, widest).value(); });
             return widest;
           },
-          py::arg("start"), py::arg("goal"), R"(Finds the largest disc that can move from a start to a goal.
+          py::arg("start"), py::arg("goal"), py::arg("agent") = Agent{},
+          R"(Finds the largest disc that can move from a start to a goal. The radius of ``agent`` does not matter.
 
 >>> world.widest_path((10, 70), (90, 70)).radius
 20.0
@@ -171,11 +162,12 @@ void bind_world_queries(Class& world) {
   bind_discs(world);
   world.def(
       "is_clear",
-      [](const Handle& self, const PointsArg& points) {
+      [](const Handle& self, const PointsArg& points, const Agent& agent) {
         const ContextPool::Loan context(self.contexts());
-        return self.read_long([&](const World& w) { return w.is_clear(points.span(), *context).value(); });
+        return self.read_long([&](const World& w) { return w.is_clear(points.span(), agent, *context).value(); });
       },
-      py::arg("points"), R"(Returns whether a point agent can walk along the straight segments between points.
+      py::arg("points"), py::arg("agent") = Agent{},
+      R"(Returns whether an agent can walk along the straight segments between points. Discs are not supported yet.
 
 >>> world.is_clear([(10, 50), (40, 40), (90, 30)]), world.is_clear([(10, 50), (90, 50)])
 (True, False)

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from waywright import _core
 
 AnyWorld = Union[_core.World, _core.Snapshot]
+Agents = Union[_core.Agent, Sequence[_core.Agent]]  # one, or one for each query
 Progress = Union[Callable[[int, int], object], bool, None]
 
 
@@ -51,7 +52,7 @@ class PathBatch:
 
     ``statuses[i]`` is the index of the status of the path i in ``waywright.PATH_STATUSES``; 0 means found.
     ``points[offsets[i]:offsets[i + 1]]`` are its points, and ``pieces[piece_offsets[i]:piece_offsets[i + 1]]`` its lines
-    and arcs, if its radius is above 0. ``batch[i]`` are the points of the path i.
+    and arcs, if it is the path of a disc. ``batch[i]`` are the points of the path i.
 
     >>> batch = world.find_paths([(10, 45), (50, 50)], [(90, 45), (90, 45)])
     >>> batch
@@ -130,7 +131,7 @@ def find_paths(
     self: AnyWorld,
     starts: ArrayLike,
     goals: ArrayLike,
-    radius: ArrayLike = 0.0,
+    agent: Agents = _core.Agent(),
     algorithm: str = "optimal",
     *,
     end_tolerance: float | None = None,
@@ -143,11 +144,11 @@ def find_paths(
 ) -> PathBatch:
     """Finds a path for each pair of a start and a goal, on several threads.
 
-    ``radius`` is one number, or one for each query. With ``tolerance``, the points of a disc's path are the points of
+    ``agent`` is one agent, or one for each query. With ``tolerance``, the points of a disc's path are the points of
     Path.polyline(). Without ``wants_points``, the answer has statuses and lengths only. ``progress`` is a function of two
     numbers, how much is done and the total, or True for a bar of tqdm. Ctrl-C ends the call.
 
-    >>> batch = world.find_paths([(10, 45), (10, 70)], [(90, 45), (90, 70)], radius=5, threads=2)
+    >>> batch = world.find_paths([(10, 45), (10, 70)], [(90, 45), (90, 70)], waywright.Agent(radius=5), threads=2)
     >>> batch.lengths.round(3)
     array([83.303, 80.   ])
     """
@@ -155,7 +156,7 @@ def find_paths(
         *self._find_paths(
             starts,
             goals,
-            radius,
+            agent,
             algorithm,
             end_tolerance,
             budget_expansions,
@@ -172,23 +173,23 @@ def rays(
     self: AnyWorld,
     starts: ArrayLike,
     ends: ArrayLike,
-    radius: ArrayLike | None = None,
+    agent: Agents = _core.Agent(),
     *,
     threads: int = 1,
     progress: Progress = None,
 ) -> RayHits:
-    """Finds the first wall that each segment touches or, with a radius, each disc that moves along a segment.
+    """Finds the first wall that each agent touches while it moves along a segment.
 
     >>> world.rays([(10, 50), (10, 70)], [(90, 50), (90, 70)]).hit
     array([ True, False])
     """
-    return RayHits(*self._rays(starts, ends, radius, threads, progress))
+    return RayHits(*self._rays(starts, ends, agent, threads, progress))
 
 
 def nearest_fits(
     self: AnyWorld,
     points: ArrayLike,
-    radius: ArrayLike,
+    agent: Agents,
     *,
     limit: float = np.inf,
     threads: int = 1,
@@ -196,10 +197,10 @@ def nearest_fits(
 ) -> NearestFits:
     """Finds for each point the nearest point where a disc fits.
 
-    >>> world.nearest_fits([(45, 50), (10, 50)], 5).distance
+    >>> world.nearest_fits([(45, 50), (10, 50)], waywright.Agent(radius=5)).distance
     array([10.,  0.])
     """
-    return NearestFits(*self._nearest_fits(points, radius, limit, threads, progress))
+    return NearestFits(*self._nearest_fits(points, agent, limit, threads, progress))
 
 
 def items_at_all(

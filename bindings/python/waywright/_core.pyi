@@ -26,6 +26,7 @@ BoxLike = Union[Sequence[float], Sequence[PointLike], NDArray[Any]]
 Geometry = Union["Shape", Mapping[str, Any], Any]  # also any object with __geo_interface__
 Rings = Union[ArrayLike, Sequence[ArrayLike]]
 Changes = Union[Iterable["Change"], Geometry]
+Agents = Union["Agent", Sequence["Agent"]]  # one, or one for each query
 Progress = Union[Callable[[int, int], object], bool, None]
 PathAlgorithm = Literal["ta", "tra", "optimal"]
 PathStatus = Literal["found", "start-blocked", "goal-blocked", "no-path"]
@@ -35,6 +36,13 @@ LocationKind = Literal["vertex", "edge", "face"]
 ChangeKind = Literal["insert", "remove", "replace"]
 Precision = Literal["float64", "float32"]
 Theme = Literal["automatic", "light", "dark"]
+
+class Agent:
+    def __init__(self, *, radius: float = 0.0) -> None: ...
+    @property
+    def radius(self) -> float: ...
+    def __eq__(self, other: object) -> bool: ...
+    def __hash__(self) -> int: ...
 
 class BridgeList:
     @property
@@ -113,7 +121,7 @@ class Path:
     @property
     def lower_bound(self) -> float: ...
     @property
-    def radius(self) -> float: ...
+    def agent(self) -> Agent: ...
     @property
     def points(self) -> NDArray[np.float64]: ...
     @property
@@ -170,7 +178,7 @@ class PathSearch:
         world: World | Snapshot,
         start: PointLike,
         goal: PointLike,
-        radius: float = 0.0,
+        agent: Agent = ...,
         algorithm: PathAlgorithm = "optimal",
         *,
         end_tolerance: float | None = None,
@@ -272,7 +280,7 @@ class ScriptLine:
     @property
     def end(self) -> Pair: ...
     @property
-    def radius(self) -> float: ...
+    def agent(self) -> Agent: ...
     @property
     def has_radius(self) -> bool: ...
     @property
@@ -373,25 +381,24 @@ class _Queries:
     def items_at(self, point: PointLike) -> list[int]: ...
     def items_in(self, box: BoxLike) -> NDArray[np.uint64]: ...
     def items_crossed(self, start: PointLike, end: PointLike) -> list[tuple[int, Pair]]: ...
-    def ray(self, start: PointLike, end: PointLike) -> RayHit: ...
-    def sweep_disc(self, start: PointLike, end: PointLike, radius: float) -> RayHit: ...
-    def fit_disc(self, centre: PointLike, radius: float) -> DiscFit: ...
+    def ray(self, start: PointLike, end: PointLike, agent: Agent = ...) -> RayHit: ...
+    def fit_disc(self, centre: PointLike, agent: Agent) -> DiscFit: ...
     def nearest_fit(
         self,
         point: PointLike,
-        radius: float,
+        agent: Agent,
         *,
         goal: PointLike | None = None,
         limit: float = ...,
     ) -> NearestFit: ...
-    def widest_path(self, start: PointLike, goal: PointLike) -> WidestPath: ...
+    def widest_path(self, start: PointLike, goal: PointLike, agent: Agent = ...) -> WidestPath: ...
     def bridges(self, box: BoxLike | None = None) -> BridgeList: ...
-    def is_clear(self, points: ArrayLike) -> bool: ...
+    def is_clear(self, points: ArrayLike, agent: Agent = ...) -> bool: ...
     def find_path(
         self,
         start: PointLike,
         goal: PointLike,
-        radius: float = 0.0,
+        agent: Agent = ...,
         algorithm: PathAlgorithm = "optimal",
         *,
         end_tolerance: float | None = None,
@@ -404,18 +411,18 @@ class _Queries:
         self,
         start: PointLike,
         goals: ArrayLike,
-        radius: float = 0.0,
+        agent: Agent = ...,
         *,
         wants_points: bool = False,
         end_tolerance: float | None = None,
     ) -> list[Path]: ...
-    def is_affected(self, path: Path | ArrayLike, version: int) -> bool: ...
+    def is_affected(self, path: Path | ArrayLike, version: int, agent: Agent | None = None) -> bool: ...
     def find_affected(self, paths: Iterable[Path], version: int) -> list[int]: ...
     def _find_paths(
         self,
         starts: ArrayLike,
         goals: ArrayLike,
-        radius: ArrayLike,
+        agent: Agents,
         algorithm: PathAlgorithm,
         end_tolerance: float | None,
         budget_expansions: int | None,
@@ -429,14 +436,14 @@ class _Queries:
         self,
         starts: ArrayLike,
         ends: ArrayLike,
-        radius: ArrayLike | None,
+        agent: Agents,
         threads: int,
         progress: Progress,
     ) -> tuple: ...
     def _nearest_fits(
         self,
         points: ArrayLike,
-        radius: ArrayLike,
+        agent: Agents,
         limit: float,
         threads: int,
         progress: Progress,
@@ -445,7 +452,7 @@ class _Queries:
     def fit_discs(
         self,
         centres: ArrayLike,
-        radius: ArrayLike,
+        agent: Agents,
         *,
         threads: int = 1,
         progress: Progress = None,
@@ -454,6 +461,7 @@ class _Queries:
         self,
         starts: ArrayLike,
         ends: ArrayLike,
+        agent: Agents = ...,
         *,
         threads: int = 1,
         progress: Progress = None,
@@ -482,7 +490,7 @@ class _Queries:
         self,
         starts: ArrayLike,
         goals: ArrayLike,
-        radius: ArrayLike = 0.0,
+        agent: Agents = ...,
         algorithm: PathAlgorithm = "optimal",
         *,
         end_tolerance: float | None = None,
@@ -497,7 +505,7 @@ class _Queries:
         self,
         starts: ArrayLike,
         ends: ArrayLike,
-        radius: ArrayLike | None = None,
+        agent: Agents = ...,
         *,
         threads: int = 1,
         progress: Progress = None,
@@ -505,7 +513,7 @@ class _Queries:
     def nearest_fits(
         self,
         points: ArrayLike,
-        radius: ArrayLike,
+        agent: Agents,
         *,
         limit: float = ...,
         threads: int = 1,
@@ -585,7 +593,7 @@ class World(_Queries):
     def reserve_ids(self, last: int) -> None: ...
     def apply(self, changes: Changes) -> list[int]: ...
     def attempt(self, changes: Changes, question: Callable[[World], Answer]) -> Answer: ...
-    def would_disconnect(self, changes: Changes, points: ArrayLike, radius: float = 0.0) -> bool: ...
+    def would_disconnect(self, changes: Changes, points: ArrayLike, agent: Agent = ...) -> bool: ...
     def keep_history(self, ticks: int) -> None: ...
     def mark(self) -> int: ...
     def rewind(self, tick: int) -> None: ...

@@ -173,7 +173,7 @@ def shape_to_geojson(shape: _core.Shape) -> dict[str, Any]:
 
 def path_to_geojson(path: _core.Path) -> dict[str, Any]:
     """The path as a GeoJSON line. The line of a disc's path differs from it by 1/100 of the radius at most."""
-    points = path.polyline(path.radius / 100.0) if path.found else np.empty((0, 2))
+    points = path.polyline(path.agent.radius / 100.0) if path.found else np.empty((0, 2))
     return {"type": "LineString", "coordinates": _coordinates(points)}
 
 

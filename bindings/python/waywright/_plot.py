@@ -92,7 +92,7 @@ def plot_path(self: _core.Path, ax: Axes | None = None, **style: Any) -> Axes:
     """Draws the path with matplotlib. Returns the axes. ``style`` is for Axes.plot()."""
     ax = _axes(ax)
     if self.found:
-        ax.plot(*self.polyline(self.radius / 100.0).T, zorder=3, **style)
+        ax.plot(*self.polyline(self.agent.radius / 100.0).T, zorder=3, **style)
     return ax
 
 

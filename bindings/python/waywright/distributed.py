@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from distributed import Client, Future, as_completed
 
-from waywright import PathBatch, WaywrightError, World, _core, _progress
+from waywright import Agent, PathBatch, WaywrightError, World, _core, _progress
 
 Progress = Callable[[int, int], object]
 
@@ -137,10 +137,10 @@ def _answer(
     base: _Base, base_state: State, operations: list[Operation], arrays: tuple, first: int, options: dict[str, Any]
 ) -> PathBatch | _Refused:
     """Answers the queries of one chunk, on a worker. ``first`` is the index of its first query in the batch."""
-    starts, goals, radius = arrays
+    starts, goals, agent = arrays
     with _worlds.use(base.data, base_state, operations) as world:
         try:
-            return world.find_paths(starts, goals, radius, **options)
+            return world.find_paths(starts, goals, agent, **options)
         except WaywrightError as error:
             index = first + error.index
             message = error.message.replace(f"query {error.index}", f"query {index}", 1)
@@ -192,7 +192,7 @@ class DistributedWorld:
         self,
         starts: Any,
         goals: Any,
-        radius: Any = 0.0,
+        agent: Any = Agent(),
         algorithm: str = "optimal",
         *,
         chunk_size: int | None = None,
@@ -203,7 +203,7 @@ class DistributedWorld:
 
         ``chunk_size`` is the number of queries of one task. It does not change the answers.
         """
-        chunks = self._submit(starts, goals, radius, chunk_size, {"algorithm": algorithm, **options})
+        chunks = self._submit(starts, goals, agent, chunk_size, {"algorithm": algorithm, **options})
         return PathBatch.concatenate(_gather(chunks, progress))
 
     def _state(self) -> State:
@@ -220,16 +220,16 @@ class DistributedWorld:
         self._operations: list[Future] = []
 
     def _submit(
-        self, starts: Any, goals: Any, radius: Any, chunk_size: int | None, options: dict[str, Any]
+        self, starts: Any, goals: Any, agent: Any, chunk_size: int | None, options: dict[str, Any]
     ) -> list[Future]:
-        starts, goals, radius = (np.ascontiguousarray(each, np.float64) for each in (starts, goals, radius))
+        starts, goals = (np.ascontiguousarray(each, np.float64) for each in (starts, goals))
+        is_one = isinstance(agent, Agent)
         if any(each.size > 0 and (each.ndim != 2 or each.shape[1] != 2) for each in (starts, goals)):
             raise ValueError("starts and goals must be arrays of shape (N, 2)")
         if chunk_size is not None and chunk_size < 1:
             raise ValueError("chunk_size must be 1 or more")
-        if len(starts) != len(goals) or radius.ndim > 0 and radius.size not in (1, len(starts)):
-            raise ValueError("starts, goals and radius must have the same length")
-        radius = radius.reshape(()) if radius.size == 1 else radius
+        if len(starts) != len(goals) or not is_one and len(agent) != len(starts):
+            raise ValueError("starts, goals and agent must have the same length")
         if len(self._operations) > OPERATIONS_PER_BASE:
             self._rebase()
         size = chunk_size or self._chunk_size(len(starts))
@@ -240,7 +240,7 @@ class DistributedWorld:
                 self._base,
                 self._base_state,
                 self._operations,
-                (starts[i : i + size], goals[i : i + size], radius if radius.ndim == 0 else radius[i : i + size]),
+                (starts[i : i + size], goals[i : i + size], agent if is_one else agent[i : i + size]),
                 i,
                 options,
                 key=f"{self._name}-paths-{batch}-{i}",
@@ -261,7 +261,7 @@ def find_paths_in_worlds(
     worlds: Iterable[World],
     starts: Any,
     goals: Any,
-    radius: Any = 0.0,
+    agent: Any = Agent(),
     algorithm: str = "optimal",
     *,
     chunk_size: int | None = None,
@@ -271,7 +271,7 @@ def find_paths_in_worlds(
     """Answers one batch of path queries in each of many worlds. Returns the answers in the order of the worlds."""
     everywhere = [DistributedWorld(client, world) for world in worlds]
     size = chunk_size or max(len(starts), 1)  # the worlds are many, so one task for each is enough
-    chunks = [each._submit(starts, goals, radius, size, {"algorithm": algorithm, **options}) for each in everywhere]
+    chunks = [each._submit(starts, goals, agent, size, {"algorithm": algorithm, **options}) for each in everywhere]
     answers = iter(_gather([chunk for each in chunks for chunk in each], progress))
     return [PathBatch.concatenate([next(answers) for _ in each]) for each in chunks]
 

@@ -39,7 +39,7 @@ export class Demo {
 
   /** The path to a point as a polyline, and its length. Both are empty if there is no path. */
   pathTo(goal) {
-    this.world.findPath({ start: START, goal, radius: RADIUS }, this.path);
+    this.world.findPath({ start: START, goal, agent: { radius: RADIUS } }, this.path);
     if (!this.path.isFound) return { length: 0, points: new Float64Array(0) };
     return { length: this.path.length, points: this.path.polyline(0.25, this.points).slice() };
   }

@@ -53,6 +53,7 @@ export {
   svgToWorld,
 } from './svg.js';
 export {
+  type Agent,
   type Box,
   isInRange,
   type ItemId,

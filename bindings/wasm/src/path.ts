@@ -3,7 +3,9 @@ import { refuse, shown, toFlag, toNumber, toObject, WaywrightError } from './err
 import * as abi from './generated/abi.js';
 import { Address, addressOf, contextAddress, Handle, make, ownAddressOf, type QueryContext } from './handle.js';
 import { allocate, check, f64, lib, release, scratch, u32, u8 } from './runtime.js';
-import { answer, askSize, fromEnum, get, isInRange, type ItemId, put, readIds, readPoint, toEnum, writePoint } from './values.js';
+import {
+  type Agent, answer, askSize, copyAgent, fromEnum, get, isInRange, type ItemId, put, readAgent, readIds, readPoint, toEnum, writeAgent, writePoint,
+} from './values.js';
 
 /** `optimal` finds the shortest path. `ta` and `tra` take less time and may find longer paths. */
 export type PathAlgorithm = 'ta' | 'tra' | 'optimal';
@@ -18,8 +20,8 @@ const PRECISIONS = ['float64', 'float32'] as const;
 export interface PathOptions {
   /** The default is `optimal`. */
   readonly algorithm?: PathAlgorithm;
-  /** The radius of the agent. The default, 0, stands for a point agent. Above 0, the world must keep its bridges. */
-  readonly radius?: number;
+  /** The default is a point. For a disc, the world must keep its bridges. */
+  readonly agent?: Agent;
   /** How far the search may move an end that is blocked. The default is `World.defaultEndTolerance`. */
   readonly endTolerance?: number;
   /** Whether the answer contains the edges that the path crosses. */
@@ -43,7 +45,7 @@ const ORIGIN: Point = { x: 0, y: 0 };
 /** A copy of the options of a query that a caller has given. */
 interface OptionsCopy {
   readonly algorithm: number;
-  readonly radius: number;
+  readonly agent: Required<Agent>;
   readonly endTolerance: number | null;
   readonly wantsChannel: boolean;
   readonly wantsTime: boolean;
@@ -62,11 +64,11 @@ function toNanoseconds(budget: number): bigint | null {
 }
 
 export function copyOptions(given: PathOptions): OptionsCopy {
-  const { algorithm = 'optimal', radius = 0, endTolerance, wantsChannel = false, wantsTime = false, ...rest } = toObject(given, 'a query');
+  const { algorithm = 'optimal', agent = {}, endTolerance, wantsChannel = false, wantsTime = false, ...rest } = toObject(given, 'a query');
   const { budgetExpansions, budgetNanoseconds } = rest;
   return {
     algorithm: toEnum(PATH_ALGORITHMS, algorithm),
-    radius: toNumber(radius, 'the radius'),
+    agent: copyAgent(agent),
     endTolerance: endTolerance === undefined ? null : toNumber(endTolerance, 'endTolerance'),
     wantsChannel: toFlag(wantsChannel, 'wantsChannel'),
     wantsTime: toFlag(wantsTime, 'wantsTime'),
@@ -83,7 +85,7 @@ export function packQuery(options: OptionsCopy, start = ORIGIN, goal = ORIGIN): 
   writePoint(struct + layout.start, start);
   writePoint(struct + layout.goal, goal);
   put.int(struct + layout.algorithm, options.algorithm);
-  put.float(struct + layout.radius, options.radius);
+  writeAgent(struct + layout.agent, options.agent);
   if (options.endTolerance !== null) {
     put.flag(struct + layout.hasEndTolerance, true);
     put.float(struct + layout.endTolerance, options.endTolerance);
@@ -245,8 +247,8 @@ export interface PathInfo {
   readonly length: number;
   /** A lower bound: no path is shorter than this number. */
   readonly lowerBound: number;
-  /** The radius of the agent, as in the query. */
-  readonly radius: number;
+  /** The agent of the query. */
+  readonly agent: Required<Agent>;
   /** How many triangles the search has entered. */
   readonly expansions: number;
   /** The time of the search; 0 unless the query has asked for the time. */
@@ -270,7 +272,7 @@ function readInfo(path: number): PathInfo {
     status: fromEnum(PATH_STATUSES, get.int(struct + layout.status)),
     length: get.float(struct + layout.length),
     lowerBound: get.float(struct + layout.lowerBound),
-    radius: get.float(struct + layout.radius),
+    agent: readAgent(struct + layout.agent),
     expansions: get.long(struct + layout.expansions),
     nanoseconds: get.long(struct + layout.nanoseconds),
     pointCount: get.size(struct + layout.pointCount),

@@ -65,8 +65,8 @@ function refreshViews(): void {
 }
 
 /** Addresses for the arguments and the answers of one call. */
-export const scratch = { struct: 0, struct2: 0, a: 0, b: 0, box: 0, count: 0, count2: 0, id: 0, flag: 0, pointer: 0, hash: 0 };
-const SCRATCH_BYTES = { struct: 512, struct2: 512, a: 16, b: 16, box: 32, count: 8, count2: 8, id: 8, flag: 8, pointer: 8, hash: 40 };
+export const scratch = { struct: 0, struct2: 0, a: 0, b: 0, box: 0, count: 0, count2: 0, id: 0, flag: 0, pointer: 0, hash: 0, agent: 0 };
+const SCRATCH_BYTES = { struct: 512, struct2: 512, a: 16, b: 16, box: 32, count: 8, count2: 8, id: 8, flag: 8, pointer: 8, hash: 40, agent: 16 };
 
 /** The progress function of the running call, and the error that it has thrown. */
 let progress: ((done: number, total: number) => void) | null = null;

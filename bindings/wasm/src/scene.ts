@@ -6,7 +6,7 @@ import { ItemList } from './items.js';
 import { PATH_ALGORITHMS, type PathAlgorithm } from './path.js';
 import { check, cTextAt, encode, idAt, lib, scratch, textAt, u32 } from './runtime.js';
 import {
-  answer, askSize, askText, type Box, fromEnum, get, type ItemId, itemsHashAt, readBox, readPoint, writeBox,
+  type Agent, answer, askSize, askText, type Box, fromEnum, get, type ItemId, itemsHashAt, readAgent, readBox, readPoint, writeBox,
 } from './values.js';
 
 export type SceneFormat = 'script' | 'movingai' | 'triangle-poly' | 'triangle-node' | 'saved-world';
@@ -130,8 +130,8 @@ export interface ScriptLine {
   readonly to: Point;
   /** Whether a line `ray` has a radius. */
   readonly hasRadius: boolean;
-  /** The radius in the line; 0 if the line has no radius. */
-  readonly radius: number;
+  /** The agent of a query, with the radius in the line; a point if the line has no radius. */
+  readonly agent: Required<Agent>;
   /** The algorithm in the line, or null if the line has no algorithm. */
   readonly algorithm: PathAlgorithm | null;
   /** The tolerance in the line, or null if the line has no tolerance. */
@@ -179,7 +179,7 @@ export class Script extends Handle {
       from: readPoint(struct + layout.from),
       to: readPoint(struct + layout.to),
       hasRadius: has(layout.hasRadius),
-      radius: get.float(struct + layout.radius),
+      agent: readAgent(struct + layout.agent),
       algorithm: has(layout.hasAlgorithm) ? fromEnum(PATH_ALGORITHMS, algorithm) : null,
       endTolerance: has(layout.hasEndTolerance) ? get.float(struct + layout.endTolerance) : null,
       hasGoal: has(layout.hasGoal),

@@ -79,6 +79,28 @@ export function readBox(address: number): Box {
   return { min: readPoint(address), max: readPoint(address + 16) };
 }
 
+/** What moves: a point, or a disc with a radius. */
+export interface Agent {
+  /** The default, 0, stands for a point. */
+  readonly radius?: number;
+}
+
+/** Returns a copy of an agent that a caller has given. */
+export function copyAgent(agent: Agent): Required<Agent> {
+  const { radius = 0 } = toObject(agent, 'an agent');
+  return { radius: toNumber(radius, 'the radius') };
+}
+
+/** Writes a copy of an agent. */
+export function writeAgent(address: number, { radius }: Required<Agent>): number {
+  f64[(address + abi.ww_agent.radius) >>> 3] = radius;
+  return address;
+}
+
+export function readAgent(address: number): Required<Agent> {
+  return { radius: f64[(address + abi.ww_agent.radius) >>> 3]! };
+}
+
 /** Reads the members of structs. */
 export const get = {
   flag: (address: number): boolean => i32[address >>> 2] !== 0,

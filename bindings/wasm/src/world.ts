@@ -12,8 +12,8 @@ import {
 import { check, idAt, lib, scratch, textAt, withProgress } from './runtime.js';
 import { copySvgOptions, packSvgOptions, type SvgOptions, SvgOverlay } from './svg.js';
 import {
-  answer, askFlag, askFloat, askLong, askSize, askText, type Box, copyBox, fromEnum, get, type ItemId, itemsHashAt, put, readBox, readIds,
-  readPoint, toLong, writeBox, writeEnds, writePoint,
+  type Agent, answer, askFlag, askFloat, askLong, askSize, askText, type Box, copyAgent, copyBox, fromEnum, get, type ItemId, itemsHashAt, put,
+  readBox, readIds, readPoint, toLong, writeAgent, writeBox, writeEnds, writePoint,
 } from './values.js';
 import { packWorldOptions, WorldHistory, type WorldOptions } from './world_history.js';
 import { type BulkOptions, packBulk, progressOf } from './world_items.js';
@@ -37,7 +37,7 @@ export interface CrossedItem {
   readonly at: Point;
 }
 
-/** The first wall that a segment or a moving disc touches. */
+/** The first wall that an agent touches. */
 export interface RayHit {
   /** Whether the segment or the disc touches a wall. */
   readonly hit: boolean;
@@ -57,8 +57,8 @@ export interface DiscFit {
 
 export interface NearestFitQuery {
   readonly point: Point;
-  /** The default is 0. */
-  readonly radius?: number;
+  /** The default is a point. */
+  readonly agent?: Agent;
   /** If you set it, the answer is the nearest of the points from which the disc can move to this point. */
   readonly goal?: Point;
   /** The largest distance of the answer from `point`. The default is infinity. */
@@ -76,7 +76,8 @@ export interface ManyGoalsQuery {
   readonly goals: Points;
   /** Whether the answers have points. By default they have only status and length. */
   readonly wantsPoints?: boolean;
-  readonly radius?: number;
+  /** The default is a point. */
+  readonly agent?: Agent;
   readonly endTolerance?: number;
 }
 
@@ -219,26 +220,19 @@ export class World extends WorldHistory {
     return readIds(readList(8, (...list) => lib.ww_world_items_in(world, given, asked, ...list)));
   }
 
-  /** Finds the first wall that a segment touches. */
-  ray(from: Point, to: Point, context?: QueryContext): RayHit {
-    const [a, b] = writeEnds(from, to);
-    const [world, asked] = [this.address, contextAddress(context)];
-    return readHit((struct, ...list) => lib.ww_world_ray(world, a, b, asked, struct, ...list));
-  }
-
-  /** Finds the first wall that a disc touches while its centre moves from `from` to `to`. */
-  sweepDisc(from: Point, to: Point, radius: number, context?: QueryContext): RayHit {
-    const [size, [a, b]] = [toNumber(radius, 'the radius'), writeEnds(from, to)];
-    const [world, asked] = [this.address, contextAddress(context)];
-    return readHit((struct, ...list) => lib.ww_world_sweep_disc(world, a, b, size, asked, struct, ...list));
+  /** Finds the first wall that an agent touches while it moves straight from `from` to `to`. */
+  ray(from: Point, to: Point, agent: Agent = {}, context?: QueryContext): RayHit {
+    const [given, [a, b]] = [copyAgent(agent), writeEnds(from, to)];
+    const [world, asked, moving] = [this.address, contextAddress(context), writeAgent(scratch.agent, given)];
+    return readHit((struct, ...list) => lib.ww_world_ray(world, a, b, moving, asked, struct, ...list));
   }
 
   /** Finds out whether a disc fits at a position. */
-  fitDisc(centre: Point, radius: number, context?: QueryContext): DiscFit {
-    const [size, at] = [toNumber(radius, 'the radius'), writePoint(scratch.a, centre)];
-    const [world, asked] = [this.address, contextAddress(context)];
+  fitDisc(centre: Point, agent: Agent, context?: QueryContext): DiscFit {
+    const [given, at] = [copyAgent(agent), writePoint(scratch.a, centre)];
+    const [world, asked, moving] = [this.address, contextAddress(context), writeAgent(scratch.agent, given)];
     const items = readIds(
-      readList(8, (...list) => lib.ww_world_fit_disc(world, at, size, asked, scratch.flag, ...list)),
+      readList(8, (...list) => lib.ww_world_fit_disc(world, at, moving, asked, scratch.flag, ...list)),
     );
     return { fits: get.flag(scratch.flag), items };
   }
@@ -246,8 +240,8 @@ export class World extends WorldHistory {
   /** Finds the nearest point where a disc fits. */
   nearestFit(query: NearestFitQuery, context?: QueryContext): NearestFit {
     const { ww_nearest_fit_query: layout, ww_nearest_fit: fit } = abi;
-    const { point, goal, radius = 0, limit = Infinity } = toObject(query, 'a query');
-    const [at, end] = [copyPoint(point), goal === undefined ? null : copyPoint(goal)];
+    const { point, goal, agent = {}, limit = Infinity } = toObject(query, 'a query');
+    const [at, end, moving] = [copyPoint(point), goal === undefined ? null : copyPoint(goal), copyAgent(agent)];
     const struct = scratch.struct2;
     check(lib.ww_nearest_fit_query_init(struct, layout.size_));
     writePoint(struct + layout.point, at);
@@ -255,7 +249,7 @@ export class World extends WorldHistory {
       put.flag(struct + layout.hasGoal, true);
       writePoint(struct + layout.goal, end);
     }
-    put.float(struct + layout.radius, toNumber(radius, 'the radius'));
+    writeAgent(struct + layout.agent, moving);
     put.float(struct + layout.limit, toNumber(limit, 'the limit'));
     const found = answer(fit);
     check(lib.ww_world_nearest_fit(this.address, struct, contextAddress(context), found));
@@ -266,11 +260,11 @@ export class World extends WorldHistory {
     };
   }
 
-  /** Finds the largest disc that can move from start to goal. */
-  widestPath(start: Point, goal: Point, context?: QueryContext): WidestPath {
-    const [a, b] = writeEnds(start, goal);
-    const [world, asked] = [this.address, contextAddress(context)];
-    return readWidest((struct, ...lists) => lib.ww_world_widest_path(world, a, b, asked, struct, ...lists));
+  /** Finds the largest disc that can move from start to goal. The radius of `agent` does not matter. */
+  widestPath(start: Point, goal: Point, agent: Agent = {}, context?: QueryContext): WidestPath {
+    const [given, [a, b]] = [copyAgent(agent), writeEnds(start, goal)];
+    const [world, asked, moving] = [this.address, contextAddress(context), writeAgent(scratch.agent, given)];
+    return readWidest((struct, ...lists) => lib.ww_world_widest_path(world, a, b, moving, asked, struct, ...lists));
   }
 
   /** Lists the bridges that meet a closed box, for example `world.domain`. */
@@ -301,8 +295,8 @@ export class World extends WorldHistory {
   /** Finds the shortest path from one start to each of many goals. */
   findPathsFrom(query: ManyGoalsQuery, paths: Paths = new Paths(), context?: QueryContext): Paths {
     const { ww_many_goals_query: layout } = abi;
-    const { start, goals: given, wantsPoints = false, radius = 0, endTolerance } = toObject(query, 'a query');
-    const [coordinates, from] = [flatten(given), copyPoint(start)];
+    const { start, goals: given, wantsPoints = false, agent = {}, endTolerance } = toObject(query, 'a query');
+    const [coordinates, from, moving] = [flatten(given), copyPoint(start), copyAgent(agent)];
     const [world, asked, into] = [this.address, contextAddress(context), ownAddressOf(Paths, paths)];
     arena.reset();
     const goals = packPoints(coordinates);
@@ -312,7 +306,7 @@ export class World extends WorldHistory {
     put.size(struct + layout.goals, goals.address);
     put.size(struct + layout.goalCount, goals.count);
     put.flag(struct + layout.wantsPoints, toFlag(wantsPoints, 'wantsPoints'));
-    put.float(struct + layout.radius, toNumber(radius, 'the radius'));
+    writeAgent(struct + layout.agent, moving);
     if (endTolerance !== undefined) {
       put.flag(struct + layout.hasEndTolerance, true);
       put.float(struct + layout.endTolerance, toNumber(endTolerance, 'endTolerance'));
@@ -327,31 +321,35 @@ export class World extends WorldHistory {
     return askFloat((address) => lib.ww_world_default_end_tolerance(this.address, address));
   }
 
-  /** Whether a point agent can walk along a polyline. */
-  isClear(points: Points, context?: QueryContext): boolean {
-    const coordinates = flatten(points);
+  /** Whether an agent can walk along a polyline. Discs are not supported yet. */
+  isClear(points: Points, agent: Agent = {}, context?: QueryContext): boolean {
+    const [coordinates, given] = [flatten(points), copyAgent(agent)];
     arena.reset();
     const { address, count } = packPoints(coordinates);
-    return askFlag((flag) => lib.ww_world_is_clear(this.address, address, count, contextAddress(context), flag));
+    const moving = writeAgent(scratch.agent, given);
+    return askFlag((flag) => lib.ww_world_is_clear(this.address, address, count, moving, contextAddress(context), flag));
   }
 
-  /** Whether a point agent can walk straight from one point to another. */
-  isClearBetween(from: Point, to: Point, context?: QueryContext): boolean {
-    const [a, b] = writeEnds(from, to);
-    const [world, asked] = [this.address, contextAddress(context)];
-    return askFlag((flag) => lib.ww_world_is_clear_between(world, a, b, asked, flag));
+  /** Whether an agent can walk straight from one point to another. Discs are not supported yet. */
+  isClearBetween(from: Point, to: Point, agent: Agent = {}, context?: QueryContext): boolean {
+    const [given, [a, b]] = [copyAgent(agent), writeEnds(from, to)];
+    const [world, asked, moving] = [this.address, contextAddress(context), writeAgent(scratch.agent, given)];
+    return askFlag((flag) => lib.ww_world_is_clear_between(world, a, b, moving, asked, flag));
   }
 
-  /** Whether an operation after version `since` has inserted or removed an item near a polyline, or near a path. */
-  isAffected(line: Points | Path, since: number): boolean {
-    const version = toLong(since, 'version');
+  /**
+   * Whether an operation after version `since` has inserted or removed an item near a polyline, or near a path. `agent`
+   * moves along the polyline; a path has its own agent.
+   */
+  isAffected(line: Points | Path, since: number, agent: Agent = {}): boolean {
+    const [version, given] = [toLong(since, 'version'), copyAgent(agent)];
     if (line instanceof Path) {
       return askFlag((flag) => lib.ww_world_is_path_affected(this.address, line.address, version, flag));
     }
     const coordinates = flatten(line);
     arena.reset();
     const { address, count } = packPoints(coordinates);
-    return askFlag((flag) => lib.ww_world_is_affected(this.address, address, count, version, flag));
+    return askFlag((flag) => lib.ww_world_is_affected(this.address, address, count, writeAgent(scratch.agent, given), version, flag));
   }
 
   /** The indices of the affected paths, ascending. */

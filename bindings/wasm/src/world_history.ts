@@ -1,8 +1,8 @@
 import { arena, flatten, packPoints, packText, type Points, toBytes } from './buffers.js';
-import { refuse, shown, toFlag, toNumber, toObject } from './errors.js';
+import { refuse, shown, toFlag, toObject } from './errors.js';
 import * as abi from './generated/abi.js';
 import { check, lib, scratch, withQuestion } from './runtime.js';
-import { askCopy, askFlag, askId, askLong, askSize, type ItemId, put, toId, toLong } from './values.js';
+import { type Agent, askCopy, askFlag, askId, askLong, askSize, copyAgent, type ItemId, put, toId, toLong, writeAgent } from './values.js';
 import { type Change, copyChanges, packChanges, WorldItems } from './world_items.js';
 
 export interface WorldOptions {
@@ -81,13 +81,14 @@ export abstract class WorldHistory extends WorldItems {
    * Whether changes would enclose an agent: the agent can move from one of the points to another now but not after the
    * changes, or one of the points is not blocked now but is blocked after the changes. The function makes no change.
    */
-  wouldDisconnect(changes: readonly Change[], points: Points, radius = 0): boolean {
-    const [copies, coordinates, size] = [copyChanges(changes), flatten(points), toNumber(radius, 'the radius')];
+  wouldDisconnect(changes: readonly Change[], points: Points, agent: Agent = {}): boolean {
+    const [copies, coordinates, given] = [copyChanges(changes), flatten(points), copyAgent(agent)];
     arena.reset();
     const list = packChanges(copies);
     const { address, count } = packPoints(coordinates);
+    const moving = writeAgent(scratch.agent, given);
     return askFlag((flag) =>
-      lib.ww_world_would_disconnect(this.address, list, copies.length, address, count, size, flag),
+      lib.ww_world_would_disconnect(this.address, list, copies.length, address, count, moving, flag),
     );
   }
 

@@ -96,10 +96,10 @@ export class Crowd {
     const { min, max } = this.world.domain;
     for (let i = 0; i < TRIES; ++i) {
       const point = { x: min.x + Math.random() * (max.x - min.x), y: min.y + Math.random() * (max.y - min.y) };
-      if (this.world.fitDisc(point, radius).fits) return point;
+      if (this.world.fitDisc(point, { radius }).fits) return point;
     }
     const middle = { x: (min.x + max.x) / 2, y: (min.y + max.y) / 2 };
-    const { isFound, at } = this.world.nearestFit({ point: middle, radius });
+    const { isFound, at } = this.world.nearestFit({ point: middle, agent: { radius } });
     return isFound ? at : middle;
   }
 
@@ -124,10 +124,10 @@ export class Crowd {
     const radius = this.radius(unit);
     const goal = { x: this.goals[2 * unit]!, y: this.goals[2 * unit + 1]! };
     let start: XY = { x: this.positions[2 * unit]!, y: this.positions[2 * unit + 1]! };
-    const ask = (): void => void this.world.findPath({ start, goal, radius, algorithm: this.algorithm }, path);
+    const ask = (): void => void this.world.findPath({ start, goal, agent: { radius }, algorithm: this.algorithm }, path);
     ask();
     if (path.status === 'start-blocked') {
-      const { isFound, at } = this.world.nearestFit({ point: start, radius });
+      const { isFound, at } = this.world.nearestFit({ point: start, agent: { radius } });
       if (isFound) {
         start = at;
         ask();

@@ -134,9 +134,9 @@ export class Engine implements EngineApi {
     if (query !== null) {
       const { start, goal, radius } = query;
       using path = new Path();
-      this.world.findPath({ start, goal, radius }, path);
+      this.world.findPath({ start, goal, agent: { radius } }, path);
       if (!path.isFound) overlay.addFailedPath(start, goal, path.status);
-      else if (radius > 0) overlay.addDiscPath({ start, goal, radius }, path);
+      else if (radius > 0) overlay.addDiscPath({ start, goal, agent: { radius } }, path);
       else overlay.addPath(path);
     }
     return this.world.toSvg(overlay, { theme: dark ? 'dark' : 'light', yDown, title: 'Waywright' });

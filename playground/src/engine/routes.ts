@@ -34,7 +34,7 @@ export class Router {
 
   private route(world: World, query: RouteQuery, algorithm: PathAlgorithm): Route {
     const { start, goal, radius, wantsChannel } = query;
-    const asked = { start, goal, radius, algorithm, wantsChannel };
+    const asked = { start, goal, agent: { radius }, algorithm, wantsChannel };
     const begin = performance.now();
     const { path } = this;
     world.findPath(asked, path);
@@ -64,7 +64,7 @@ export class Router {
   }
 
   private widestLine(world: World, start: XY, goal: XY, radius: number): Float64Array | null {
-    const path = world.findPath({ start, goal, radius }, this.widePath);
+    const path = world.findPath({ start, goal, agent: { radius } }, this.widePath);
     return path.isFound ? lineOf(path, drawTolerance(world)) : null;
   }
 }
@@ -82,7 +82,7 @@ function filmFrame(search: PathSearch, isDone: boolean, tolerance: number): Film
 
 /** Searches for the path in slices. Only `optimal` records windows, and only for a radius of 0. */
 export function filmOf(world: World, { start, goal, radius, algorithms }: RouteQuery): Film {
-  const query = { start, goal, radius, algorithm: algorithms[0]!, wantsChannel: true };
+  const query = { start, goal, agent: { radius }, algorithm: algorithms[0]!, wantsChannel: true };
   using path = world.findPath(query);
   const slice = Math.max(1, Math.ceil(path.info.expansions / FILM_FRAMES));
   using search = new PathSearch();

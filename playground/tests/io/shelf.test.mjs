@@ -25,7 +25,7 @@ for (const { id, load: make } of examples) {
     carryOut(world, operationsOf(example));
     assert.deepEqual(world.validate(), { isValid: true, fault: '' });
     assert.deepEqual(world.itemIds(), example.ids ?? example.items.map((_, i) => i + 1));
-    const path = world.findPath({ start: at(example.start), goal: at(example.goal), radius: example.radius ?? 0 });
+    const path = world.findPath({ start: at(example.start), goal: at(example.goal), agent: { radius: example.radius ?? 0 } });
     assert.equal(path.status, 'found');
     assert.deepEqual([path.info.movedStart, path.info.movedGoal], [null, null]);
     path.dispose();
@@ -50,11 +50,11 @@ test('a disc takes the gap of exactly 2r, and no other', () => {
   const { domain, items: walls, start, goal, radius } = load('gaps');
   const world = makeWorld(domain, { keepBridges: true });
   carryOut(world, operationsOf({ items: walls }));
-  const query = { start: at(start), goal: at(goal), radius };
+  const query = { start: at(start), goal: at(goal), agent: { radius } };
   const path = world.findPath(query);
   assert.ok(path.length > 12, 'the path makes a detour around the lower gap');
   // The largest double below 1 is half of the lower gap. So a disc with this radius takes the lower gap.
-  assert.equal(world.findPath({ ...query, radius: 1 - 2 ** -53 }).length, 10);
+  assert.equal(world.findPath({ ...query, agent: { radius: 1 - 2 ** -53 } }).length, 10);
   world.insertSegment({ x: 0, y: 4 }, { x: 0, y: 6 });
   assert.equal(world.findPath(query, path).status, 'no-path');
   world.dispose();
