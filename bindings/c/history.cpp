@@ -1,4 +1,5 @@
 #include "internal.hpp"
+#include "structs.hpp"
 
 using namespace waywright;
 using namespace waywright::c;

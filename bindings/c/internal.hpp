@@ -307,18 +307,17 @@ ww_status write_text(std::string_view text, char* buffer, std::size_t capacity, 
 
 inline Point to_cpp(const ww_point& point) { return {point.x, point.y}; }
 inline Box to_cpp(const ww_box& box) { return {to_cpp(box.min), to_cpp(box.max)}; }
-inline Agent to_cpp(const ww_agent& agent) { return {agent.radius}; }
-/// Reads an agent that may be null: then it is a point.
-inline Agent to_cpp(const ww_agent* agent) { return agent != nullptr ? to_cpp(*agent) : Agent{}; }
 inline ww_point to_c(const Point& point) { return {point.x, point.y}; }
 inline ww_box to_c(const Box& box) { return {to_c(box.min), to_c(box.max)}; }
-inline ww_portal to_c(const Portal& portal) { return {to_c(portal.left), to_c(portal.right)}; }
-inline ww_agent to_c(const Agent& agent) { return {agent.radius}; }
 inline ww_id to_c(ItemId id) { return id.value; }
 inline ww_bool to_c(bool value) { return value ? 1 : 0; }
 inline ww_items_hash to_c(const ItemsHash& hash) { return {{hash.words[0], hash.words[1]}}; }
 /// Reads a member of the type ww_bool.
 inline bool is_set(ww_bool value) { return value != 0; }
+/// Reads a number of triangles: UINT64_MAX stands for no limit.
+inline std::size_t to_expansions(std::uint64_t given) {
+  return static_cast<std::size_t>(std::min<std::uint64_t>(given, PathBudget::kNoLimit));
+}
 
 inline ww_status write_points(std::span<const Point> points, const ListOut<ww_point>& out) {
   return out.write(points, [](const Point& point) { return to_c(point); });
@@ -361,8 +360,6 @@ Shape to_shape(const ww_shape* shape);
 std::vector<Change> to_changes(const ww_change* changes, std::size_t count);
 PathQuery to_query(const ww_path_query* query);
 SvgOptions to_options(const ww_svg_options* options);
-ww_ray_hit to_c(const RayHit& hit);
-ww_widest_path to_c(const WidestPath& widest);
 
 /// Makes an object for the caller.
 template <class Opaque, class... Arguments>

@@ -1,4 +1,5 @@
 #include "internal.hpp"
+#include "structs.hpp"
 
 using namespace waywright;
 using namespace waywright::c;
@@ -102,9 +103,7 @@ ww_status ww_world_validate(const ww_world* world, ww_bool* is_valid, ww_text* f
 ww_status ww_world_memory(const ww_world* world, ww_memory_use* use) {
   return guarded([&] {
     const StructOut out(use);
-    const MemoryUse found = object(world).memory();
-    out.write({0, found.vertices, found.crossings, found.faces, found.walls, found.items, found.sectors,
-               found.abstraction, found.bridges, found.history, found.spare, found.total()});
+    out.write(to_c(object(world).memory()));
     return WW_OK;
   });
 }

@@ -1,24 +1,11 @@
-#include <chrono>
-#include <limits>
 #include <utility>
 
 #include "internal.hpp"
+#include "structs.hpp"
 
 namespace waywright::c {
 
 namespace {
-
-constexpr ww_path_query kPathQuery{.struct_size = sizeof(ww_path_query),
-                                   .algorithm = WW_ALGORITHM_OPTIMAL,
-                                   .start = {},
-                                   .goal = {},
-                                   .agent = {0.0},
-                                   .end_tolerance = 0.0,
-                                   .has_end_tolerance = 0,
-                                   .wants_channel = 0,
-                                   .wants_time = 0,
-                                   .budget_expansions = 0,
-                                   .budget_nanoseconds = std::numeric_limits<std::int64_t>::max()};
 
 /// No version of the library refuses more threads. A team has at most 256.
 constexpr std::size_t kMostThreads = 256;
@@ -29,34 +16,6 @@ const Path& found_path(const ww_path* path) {
   return given;
 }
 
-ww_path_position to_c(const PathPosition& position) {
-  return {0, c::to_c(position.at), c::to_c(position.heading), position.segment, position.before, position.distance};
-}
-
-ww_path_info info_of(const Path& path) {
-  ww_path_info info{};
-  info.status = static_cast<ww_path_status>(path.status);
-  info.length = path.length;
-  info.lower_bound = path.lower_bound;
-  info.agent = c::to_c(path.agent);
-  info.expansions = path.expansions;
-  info.nanoseconds = path.time.count();
-  info.point_count = path.points.size();
-  info.piece_count = path.pieces.size();
-  info.channel_count = path.channel.size();
-  info.blocker_count = path.blockers.size();
-  const auto write_moved = [](const std::optional<MovedEnd>& moved, ww_bool& has, ww_point& from, ww_point& to) {
-    has = c::to_c(moved.has_value());
-    if (!moved) return;
-    from = c::to_c(moved->from);
-    to = c::to_c(moved->to);
-  };
-  write_moved(path.moved_start, info.has_moved_start, info.moved_start_from, info.moved_start_to);
-  write_moved(path.moved_goal, info.has_moved_goal, info.moved_goal_from, info.moved_goal_to);
-  info.has_widest = c::to_c(path.widest.has_value());
-  return info;
-}
-
 /// Returns query number `i` of an array. The struct_size of the first element is the size of each element.
 const ww_path_query* query_at(const ww_path_query* queries, std::size_t i) {
   const auto* const bytes = reinterpret_cast<const unsigned char*>(queries);
@@ -65,18 +24,7 @@ const ww_path_query* query_at(const ww_path_query* queries, std::size_t i) {
 
 }  // namespace
 
-PathQuery to_query(const ww_path_query* query) {
-  const ww_path_query given = read_struct(query, kPathQuery);
-  PathQuery wanted{.start = to_cpp(given.start), .goal = to_cpp(given.goal), .agent = to_cpp(given.agent)};
-  wanted.algorithm = to_enum(given.algorithm, PathAlgorithm::optimal);
-  wanted.budget.expansions =
-      static_cast<std::size_t>(std::min<std::uint64_t>(given.budget_expansions, PathBudget::kNoLimit));
-  wanted.budget.time = std::chrono::nanoseconds(given.budget_nanoseconds);
-  wanted.wants_channel = is_set(given.wants_channel);
-  wanted.wants_time = is_set(given.wants_time);
-  if (is_set(given.has_end_tolerance)) wanted.end_tolerance = given.end_tolerance;
-  return wanted;
-}
+PathQuery to_query(const ww_path_query* query) { return to_cpp(read_struct(query, kDefaultPathQuery)); }
 
 }  // namespace waywright::c
 
@@ -84,7 +32,7 @@ using namespace waywright;
 using namespace waywright::c;
 
 ww_status ww_path_query_init(ww_path_query* query, size_t struct_size) {
-  return init_struct(query, struct_size, kPathQuery);
+  return init_struct(query, struct_size, kDefaultPathQuery);
 }
 
 ww_status ww_world_find_path(const ww_world* world, const ww_path_query* query, ww_context* context, ww_path* path) {
@@ -115,17 +63,13 @@ ww_status ww_world_find_paths(const ww_world* world, const ww_path_query* querie
 }
 
 ww_status ww_many_goals_query_init(ww_many_goals_query* query, size_t struct_size) {
-  return init_struct(query, struct_size, {});
+  return init_struct(query, struct_size, kDefaultManyGoalsQuery);
 }
 
 ww_status ww_world_find_paths_from(const ww_world* world, const ww_many_goals_query* query, ww_context* context,
                                    ww_paths* paths) {
   return guarded([&] {
-    const ww_many_goals_query given = read_struct(query, {});
-    ManyGoalsQuery wanted{.start = to_cpp(given.start), .goals = to_points(given.goals, given.goal_count)};
-    wanted.agent = to_cpp(given.agent);
-    wanted.wants_points = is_set(given.wants_points);
-    if (is_set(given.has_end_tolerance)) wanted.end_tolerance = given.end_tolerance;
+    const ManyGoalsQuery wanted = to_cpp(read_struct(query, kDefaultManyGoalsQuery));
     return status_of(object(world).find_paths_from(wanted, object(context).query, object(paths)));
   });
 }
@@ -163,7 +107,7 @@ ww_status ww_path_copy(const ww_path* path, ww_path* to) {
 
 ww_status ww_path_get_info(const ww_path* path, ww_path_info* info) {
   return guarded([&] {
-    StructOut(info).write(info_of(object(path)));
+    StructOut(info).write(to_c(object(path)));
     return WW_OK;
   });
 }
@@ -175,22 +119,14 @@ ww_status ww_path_points(const ww_path* path, ww_point* points, size_t capacity,
 ww_status ww_path_pieces(const ww_path* path, ww_path_piece* pieces, size_t capacity, size_t* count) {
   return guarded([&] {
     const ListOut<ww_path_piece> list(pieces, capacity, count);
-    return list.write(object(path).pieces, [](const PathPiece& piece) {
-      return ww_path_piece{static_cast<ww_piece_kind>(piece.kind),
-                           c::to_c(piece.from),
-                           c::to_c(piece.to),
-                           c::to_c(piece.centre),
-                           piece.radius,
-                           piece.start_angle,
-                           piece.end_angle};
-    });
+    return list.write(object(path).pieces, [](const PathPiece& piece) { return to_c(piece); });
   });
 }
 
 ww_status ww_path_channel(const ww_path* path, ww_portal* portals, size_t capacity, size_t* count) {
   return guarded([&] {
     const ListOut<ww_portal> list(portals, capacity, count);
-    return list.write(object(path).channel, [](const Portal& portal) { return c::to_c(portal); });
+    return list.write(object(path).channel, [](const Portal& portal) { return to_c(portal); });
   });
 }
 
@@ -207,7 +143,7 @@ ww_status ww_path_widest(const ww_path* path, ww_widest_path* widest, ww_id* fro
     static const WidestPath none;
     const Path& given = object(path);
     const WidestPath& found = given.widest ? *given.widest : none;
-    out.write(c::to_c(found));
+    out.write(to_c(found));
     const ww_status from_status = write_ids(found.from_items, from_list);
     const ww_status to_status = write_ids(found.to_items, to_list);
     return from_status != WW_OK ? from_status : to_status;
@@ -228,8 +164,7 @@ ww_status ww_path_advance(const ww_path* path, double step, ww_precision precisi
     const Path& given = found_path(path);
     const ww_path_position from = read_struct(position, {});
     require(from.segment < std::max(given.points.size(), given.pieces.size()), "a position belongs to another path");
-    const PathPosition start{to_cpp(from.at), to_cpp(from.heading), from.segment, from.before, from.distance};
-    out.write(to_c(given.advance(start, step, to_enum(precision, Precision::float32))));
+    out.write(to_c(given.advance(to_cpp(from), step, to_enum(precision, Precision::float32))));
     return WW_OK;
   });
 }
@@ -267,7 +202,7 @@ ww_status ww_search_step(ww_search* search, size_t expansions, ww_bool* is_done)
     Search& continued = object(search);
     if (continued.search.is_running()) require_no_question(*continued.world);
     const Result<bool> done = continued.search.step(expansions);
-    if (done.ok()) out = c::to_c(*done);
+    if (done.ok()) out = to_c(*done);
     return status_of(done);
   });
 }
@@ -296,10 +231,7 @@ ww_status ww_search_record_windows(ww_search* search, ww_bool wanted) {
 ww_status ww_search_windows(const ww_search* search, ww_search_window* windows, size_t capacity, size_t* count) {
   return guarded([&] {
     const ListOut<ww_search_window> list(windows, capacity, count);
-    return list.write(object(search).search.windows(), [](const SearchWindow& window) {
-      return ww_search_window{c::to_c(window.root), c::to_c(window.edge), c::to_c(window.interval), window.length,
-                              window.bound};
-    });
+    return list.write(object(search).search.windows(), [](const SearchWindow& window) { return to_c(window); });
   });
 }
 
@@ -312,7 +244,7 @@ ww_status ww_search_cancel(ww_search* search) {
 
 ww_status ww_search_is_running(const ww_search* search, ww_bool* is_running) {
   return guarded([&] {
-    answer(is_running) = c::to_c(object(search).search.is_running());
+    answer(is_running) = to_c(object(search).search.is_running());
     return WW_OK;
   });
 }

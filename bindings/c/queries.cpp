@@ -1,17 +1,9 @@
 #include "internal.hpp"
+#include "structs.hpp"
 
 namespace waywright::c {
 
-ww_ray_hit to_c(const RayHit& hit) { return {0, to_c(hit.hit), to_c(hit.at), to_c(hit.contact)}; }
-
-ww_widest_path to_c(const WidestPath& widest) {
-  return {0, to_c(widest.is_connected), to_c(widest.is_limited), widest.radius, to_c(widest.from), to_c(widest.to)};
-}
-
 namespace {
-
-constexpr ww_nearest_fit_query kNearestFitQuery{sizeof(ww_nearest_fit_query),           0, {}, {}, {},
-                                                std::numeric_limits<double>::infinity()};
 
 ww_location to_c(const Location& location) {
   ww_location result{0, static_cast<ww_location_kind>(location.kind), location.vertex_count, {}};
@@ -99,20 +91,18 @@ ww_status ww_world_fit_disc(const ww_world* world, ww_point centre, const ww_age
 }
 
 ww_status ww_nearest_fit_query_init(ww_nearest_fit_query* query, size_t struct_size) {
-  return init_struct(query, struct_size, kNearestFitQuery);
+  return init_struct(query, struct_size, kDefaultNearestFitQuery);
 }
 
 ww_status ww_world_nearest_fit(const ww_world* world, const ww_nearest_fit_query* query, ww_context* context,
                                ww_nearest_fit* fit) {
   return guarded([&] {
     const StructOut out(fit);
-    const ww_nearest_fit_query given = read_struct(query, kNearestFitQuery);
-    NearestFitQuery wanted{.point = to_cpp(given.point), .agent = to_cpp(given.agent), .limit = given.limit};
-    if (is_set(given.has_goal)) wanted.goal = to_cpp(given.goal);
+    const NearestFitQuery wanted = to_cpp(read_struct(query, kDefaultNearestFitQuery));
     NearestFit found;
     const Result<void> done = object(world).nearest_fit(wanted, object(context).query, found);
     if (!done.ok()) return fail(done.error());
-    out.write({0, c::to_c(found.is_found), c::to_c(found.at), found.distance});
+    out.write(c::to_c(found));
     return ww_status{WW_OK};
   });
 }
@@ -143,10 +133,7 @@ ww_status ww_world_bridges(const ww_world* world, ww_box box, ww_context* contex
     Context& kept = object(context);
     const Result<void> done = object(world).bridges(to_cpp(box), kept.query, kept.bridges);
     if (!done.ok()) return fail(done.error());
-    const ww_status status = list.write(kept.bridges.bridges, [](const Bridge& bridge) {
-      return ww_bridge{c::to_c(bridge.from), c::to_c(bridge.to), bridge.radius,  c::to_c(bridge.has_foot),
-                       bridge.first_id,      bridge.from_count,  bridge.to_count};
-    });
+    const ww_status status = list.write(kept.bridges.bridges, [](const Bridge& bridge) { return c::to_c(bridge); });
     const ww_status id_status = write_ids(kept.bridges.ids, id_list);
     return status != WW_OK ? status : id_status;
   });
@@ -217,9 +204,7 @@ ww_status ww_world_changes_since(const ww_world* world, uint64_t since, ww_bool*
     const ListOut<ww_changed_box> list(boxes, capacity, count);
     const std::optional<std::span<const ChangedBox>> changes = object(world).changes_since(since);
     out = c::to_c(changes.has_value());
-    return list.write(changes.value_or(std::span<const ChangedBox>()), [](const ChangedBox& changed) {
-      return ww_changed_box{changed.version, c::to_c(changed.box), c::to_c(changed.is_insertion),
-                            c::to_c(changed.is_removal)};
-    });
+    return list.write(changes.value_or(std::span<const ChangedBox>()),
+                      [](const ChangedBox& changed) { return c::to_c(changed); });
   });
 }

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "internal.hpp"
+#include "structs.hpp"
 
 namespace waywright::c {
 

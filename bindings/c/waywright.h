@@ -81,7 +81,7 @@ typedef struct ww_box {
   ww_point max;
 } ww_box;
 
-/* What moves: a point, or a disc. In a parameter, null stands for a point. This struct does not grow. */
+/* What moves: a point, or a disc with a radius. */
 typedef struct ww_agent {
   double radius; /* of the disc, 0 or more; with the radius 0 the agent is a point */
 } ww_agent;
@@ -306,11 +306,12 @@ WW_API ww_status ww_items_ring_sizes(const ww_items* items, size_t index, size_t
 /* ---------------------------------------------------------------------------------------------------------------------
    Making a world */
 
+/* The options of a world. */
 typedef struct ww_world_options {
   uint32_t struct_size;
-  ww_bool keep_abstraction; /* 1 by default: whether the world maintains the path abstraction: see docs/paths.md */
-  ww_bool keep_bridges;     /* 0 by default: whether the world can answer path queries for discs */
-  size_t new_vertex_limit;  /* SIZE_MAX by default, no limit: see ww_world_set_new_vertex_limit */
+  ww_bool keep_abstraction; /* whether the world maintains the path abstraction: see docs/paths.md */
+  ww_bool keep_bridges;     /* whether the world can answer path queries for discs */
+  size_t new_vertex_limit;  /* the largest number of vertices that one operation may make; no limit by default */
 } ww_world_options;
 
 /* Sets all options to their defaults. `struct_size` is sizeof(ww_world_options). */
@@ -527,11 +528,12 @@ WW_API ww_status ww_world_items_crossed(const ww_world* world, ww_point from, ww
 WW_API ww_status ww_world_items_in(const ww_world* world, ww_box box, ww_context* context, ww_id* items,
                                    size_t capacity, size_t* count);
 
+/* The first wall that an agent touches. */
 typedef struct ww_ray_hit {
   uint32_t struct_size;
-  ww_bool hit;      /* whether the segment or the disc touches a wall; if not, the points have no meaning */
-  ww_point at;      /* where the segment, or the centre of the disc, is when it first touches a wall; rounded */
-  ww_point contact; /* the position on the touched walls that is nearest to `at`; for a segment, it equals `at` */
+  ww_bool hit;      /* whether the agent touches a wall; if not, the points have no meaning */
+  ww_point at;      /* where the agent is when it first touches a wall, rounded */
+  ww_point contact; /* the position on the touched walls that is nearest to `at`; for a point agent, it equals `at` */
 } ww_ray_hit;
 
 /* Finds the first wall that an agent touches while it moves straight from `from` to `to`: the segment of a point, or a
@@ -550,22 +552,22 @@ WW_API ww_status ww_world_ray(const ww_world* world, ww_point from, ww_point to,
 WW_API ww_status ww_world_fit_disc(const ww_world* world, ww_point centre, const ww_agent* agent, ww_context* context,
                                    ww_bool* fits, ww_id* items, size_t capacity, size_t* count);
 
+/* A query for the nearest point at which a disc fits. */
 typedef struct ww_nearest_fit_query {
   uint32_t struct_size;
-  ww_bool has_goal; /* 0 by default; 1: the answer is a position from which the disc can move to `goal` */
-  ww_point point;
-  ww_point goal;
-  ww_agent agent; /* a point by default */
-  double limit;   /* infinity by default: the largest distance of the answer from `point` */
+  ww_point point;   /* the answer is the point nearest to this one */
+  ww_agent agent;   /* what must fit there; a point by default */
+  ww_bool has_goal; /* whether `goal` is set */
+  ww_point goal;    /* if it is set, the answer is a position from which the disc can move to this point */
+  double limit;     /* the largest distance of the answer from `point`; infinity by default */
 } ww_nearest_fit_query;
 
-/* The answer of ww_world_nearest_fit: the nearest point to query->point where the disc fits and, if the query has a
-   goal, from which the disc can move to the goal. */
+/* The nearest point at which a disc fits and, if the query has a goal, from which it can move to the goal. */
 typedef struct ww_nearest_fit {
   uint32_t struct_size;
   ww_bool is_found; /* whether there is an answer within the limit; if not, the other members are 0 */
-  ww_point at;      /* the answer; that the disc fits there is an exact decision, as in ww_world_fit_disc */
-  double distance;  /* the distance from query->point to `at` */
+  ww_point at;      /* the point; that the disc fits there is an exact decision */
+  double distance;  /* the distance from the point of the query to `at` */
 } ww_nearest_fit;
 
 /* Sets all members to their defaults. `struct_size` is sizeof(ww_nearest_fit_query). */
@@ -580,6 +582,7 @@ WW_API ww_status ww_nearest_fit_query_init(ww_nearest_fit_query* query, size_t s
 WW_API ww_status ww_world_nearest_fit(const ww_world* world, const ww_nearest_fit_query* query, ww_context* context,
                                       ww_nearest_fit* fit);
 
+/* The largest disc that can move from a start to a goal, and the gap that stops every larger disc. */
 typedef struct ww_widest_path {
   uint32_t struct_size;
   ww_bool is_connected; /* whether a disc with a radius above 0 can move to the goal; if not, all others are 0 */
@@ -598,8 +601,8 @@ WW_API ww_status ww_world_widest_path(const ww_world* world, ww_point start, ww_
                                       size_t from_capacity, size_t* from_count, ww_id* to_items, size_t to_capacity,
                                       size_t* to_count);
 
-/* A bridge: the straight connection between two walls at the gap between them. A disc that passes between the
-   two walls crosses the bridge. */
+/* A bridge: the straight connection between two walls at the gap between them. A disc that passes between the walls
+   crosses the bridge. */
 typedef struct ww_bridge {
   ww_point from;       /* the corner of an item, or of the domain, at which it starts */
   ww_point to;         /* where it ends: at another corner, or at a foot, rounded */
@@ -631,18 +634,29 @@ WW_API const char* ww_path_algorithm_name(ww_path_algorithm algorithm);
 /* Sets *algorithm to the algorithm with this name. Errors: WW_INVALID_ARGUMENT, if there is none. */
 WW_API ww_status ww_path_algorithm_by_name(const char* name, ww_path_algorithm* algorithm);
 
+/* A query for a path from a start to a goal. */
 typedef struct ww_path_query {
   uint32_t struct_size;
-  ww_path_algorithm algorithm; /* WW_ALGORITHM_OPTIMAL by default */
+  /* where the path starts */
   ww_point start;
+  /* where the path ends */
   ww_point goal;
-  ww_agent agent;            /* a point by default; for a disc, the world must keep its bridges */
-  double end_tolerance;      /* how far the search may move a blocked end, if has_end_tolerance is set; 0: not at all */
-  ww_bool has_end_tolerance; /* 0 by default: the tolerance is ww_world_default_end_tolerance() */
-  ww_bool wants_channel;     /* 0 by default: whether the answer has the edges that a point agent crosses */
-  ww_bool wants_time;        /* 0 by default: whether the answer has the time of the search */
-  uint64_t budget_expansions; /* for TA: the triangles that it may enter; 0 by default; UINT64_MAX for no limit */
-  int64_t budget_nanoseconds; /* for TA: the time since the start of the search; INT64_MAX by default, no limit */
+  /* what moves; a point by default; for a disc, the world must keep its bridges */
+  ww_agent agent;
+  /* `optimal` by default, for the shortest path; the others take less time and may find longer paths */
+  ww_path_algorithm algorithm;
+  /* whether `end_tolerance` is set */
+  ww_bool has_end_tolerance;
+  /* how far the search may move a blocked end; the default allows for rounding errors; 0: not at all */
+  double end_tolerance;
+  /* for `ta`: the number of triangles that the search may enter; with 0, the default, the first path is the answer */
+  uint64_t budget_expansions;
+  /* for `ta`: the time since the start of the search; no limit by default */
+  int64_t budget_nanoseconds;
+  /* whether the answer has the edges that a point agent crosses */
+  ww_bool wants_channel;
+  /* whether the answer has the time of the search */
+  ww_bool wants_time;
 } ww_path_query;
 
 /* Sets all members to their defaults. `struct_size` is sizeof(ww_path_query). */
@@ -662,15 +676,16 @@ WW_API ww_status ww_world_find_path(const ww_world* world, const ww_path_query* 
 WW_API ww_status ww_world_find_paths(const ww_world* world, const ww_path_query* queries, size_t query_count,
                                      size_t threads, const ww_job_system* jobs, ww_context* context, ww_paths* paths);
 
+/* A query for the shortest paths from one start to many goals. */
 typedef struct ww_many_goals_query {
   uint32_t struct_size;
-  ww_bool wants_points; /* 0 by default: the answers have only status and length; 1: also points or pieces */
-  ww_point start;
-  const ww_point* goals; /* goal_count points, which must exist during the call */
-  size_t goal_count;
-  ww_agent agent;            /* a point by default */
-  double end_tolerance;      /* like ww_path_query.end_tolerance */
-  ww_bool has_end_tolerance; /* 0 by default */
+  ww_point start;            /* where the paths start */
+  const ww_point* goals;     /* where the paths end; the points must exist during the call */
+  size_t goal_count;         /* the number of goals */
+  ww_agent agent;            /* what moves; a point by default */
+  ww_bool wants_points;      /* whether the answers have points or pieces, besides status and length */
+  ww_bool has_end_tolerance; /* whether `end_tolerance` is set */
+  double end_tolerance;      /* how far the search may move a blocked end, as in a path query */
 } ww_many_goals_query;
 
 /* Sets all members to their defaults. `struct_size` is sizeof(ww_many_goals_query). */
@@ -699,47 +714,66 @@ enum {
 /* Returns the name of a status of paths: "found", "start-blocked", "goal-blocked", "no-path". */
 WW_API const char* ww_path_status_name(ww_path_status status);
 
+/* An end that the search has moved. */
+typedef struct ww_moved_end {
+  ww_point from; /* the point in the query */
+  ww_point to;   /* where the path starts or ends instead */
+} ww_moved_end;
+
 /* Facts about a path. */
 typedef struct ww_path_info {
   uint32_t struct_size;
+  /* whether there is a path; if not, why */
   ww_path_status status;
-  double length;       /* 0 if there is no path */
-  double lower_bound;  /* no path is shorter; equals `length` if the path is proven shortest; 0 if there is no path */
-  ww_agent agent;      /* as in the query */
-  uint64_t expansions; /* the triangles that the search entered; if radius > 0, also the straight lines it examined,
-                          and 0 if there is no path */
-  int64_t nanoseconds; /* the time of the search; 0 unless ww_path_query.wants_time */
+  /* the length; 0 if there is no path */
+  double length;
+  /* no path is shorter; equals `length` if the path is proven shortest; 0 if there is no path */
+  double lower_bound;
+  /* the agent of the query */
+  ww_agent agent;
+  /* the triangles that the search entered; for a disc, also the straight lines that it examined, and 0 if there is
+     no path */
+  uint64_t expansions;
+  /* the time of the search; 0 unless the query has asked for the time */
+  int64_t nanoseconds;
+  /* the number of points */
   size_t point_count;
+  /* the number of lines and arcs */
   size_t piece_count;
+  /* the number of edges in the channel */
   size_t channel_count;
+  /* the number of items that block an end */
   size_t blocker_count;
-  ww_bool has_moved_start; /* whether the search has moved the start from moved_start_from to moved_start_to */
+  /* whether `moved_start` is set */
+  ww_bool has_moved_start;
+  /* how the search has moved the start */
+  ww_moved_end moved_start;
+  /* whether `moved_goal` is set */
   ww_bool has_moved_goal;
-  ww_point moved_start_from;
-  ww_point moved_start_to;
-  ww_point moved_goal_from;
-  ww_point moved_goal_to;
-  ww_bool has_widest; /* whether ww_path_widest has an answer */
+  /* how the search has moved the goal */
+  ww_moved_end moved_goal;
+  /* whether the answer has a widest path */
+  ww_bool has_widest;
 } ww_path_info;
 
 typedef int32_t ww_piece_kind;
 enum { WW_PIECE_LINE = 0, WW_PIECE_ARC = 1 };
 
-/* A piece of the path of a disc's centre. */
+/* A piece of the path of a disc's centre: a line, or an arc around a centre. */
 typedef struct ww_path_piece {
-  ww_piece_kind kind;
-  ww_point from;
-  ww_point to;
+  ww_piece_kind kind; /* whether it is a line or an arc */
+  ww_point from;      /* where it starts */
+  ww_point to;        /* where it ends */
   ww_point centre;    /* of an arc: a corner of an item, or of the domain */
   double radius;      /* of an arc: the radius of the agent */
   double start_angle; /* of an arc: the angle from the centre to `from`, in radians */
-  double end_angle;   /* of an arc: larger than start_angle if the arc turns left, otherwise smaller */
+  double end_angle;   /* of an arc: larger than the start angle if the arc turns left, otherwise smaller */
 } ww_path_piece;
 
-/* An edge that a path crosses: its ends, seen from an agent on the path, rounded to nearest. */
+/* An edge that a path crosses, as seen from an agent on the path; rounded to nearest. */
 typedef struct ww_portal {
-  ww_point left;
-  ww_point right;
+  ww_point left;  /* the left end of the edge */
+  ww_point right; /* its right end */
 } ww_portal;
 
 /* Gives facts about a path. A new ww_path is a path with the status WW_PATH_NO_PATH. */
@@ -762,15 +796,14 @@ WW_API ww_status ww_path_widest(const ww_path* path, ww_widest_path* widest, ww_
 typedef int32_t ww_precision;
 enum { WW_FLOAT64 = 0, WW_FLOAT32 = 1 };
 
-/* A position on a path. Its coordinates are doubles or floats, as the precision says. For a point agent, they are
-   rounded away from the walls at the turns of the path: you can use the position as the start of a query (path.hpp
-   names two exceptions). For a disc, they are rounded to nearest. */
+/* A position on a path. For a point agent, the coordinates are rounded away from the walls at the turns of the path:
+   you can use the position as the start of a query. For a disc, they are rounded to nearest. */
 typedef struct ww_path_position {
   uint32_t struct_size;
-  ww_point at;
+  ww_point at;      /* the point at this position */
   ww_point heading; /* the direction of the path there, of length 1; (0, 0) on a path of length 0 */
   size_t segment;   /* the position lies between the points `segment` and `segment` + 1, or on the piece `segment` */
-  double before;    /* the length of the path from its start to the start of this segment */
+  double before;    /* the length of the path from its start to the start of this segment or piece */
   double distance;  /* the length of the path from its start to this position */
 } ww_path_position;
 
@@ -866,7 +899,8 @@ WW_API ww_status ww_world_find_affected(const ww_world* world, const ww_path* co
 WW_API ww_status ww_world_version(const ww_world* world, uint64_t* version);
 
 /* A region that an operation has changed. This struct does not grow. */
-/* A replacement has two boxes: one for the removal of the old shape, and one for the insertion of the new shape. */
+/* A region that an operation has changed. A replacement has two boxes: one for the removal of the old shape, and one
+   for the insertion of the new shape. */
 typedef struct ww_changed_box {
   uint64_t version;     /* the version of the world after the operation */
   ww_box box;           /* the bounding box of an item; the last box of an operation can have several items */

@@ -3,12 +3,12 @@
 #include <utility>
 
 #include "internal.hpp"
+#include "structs.hpp"
 
 namespace waywright::c {
 
 namespace {
 
-constexpr ww_world_options kWorldOptions{sizeof(ww_world_options), 1, 0, kNoVertexLimit};
 constexpr ww_bulk_options kBulkOptions{sizeof(ww_bulk_options), nullptr, nullptr, 1, nullptr};
 
 /// Writes the id of a new item, or records why there is none.
@@ -80,15 +80,15 @@ using namespace waywright;
 using namespace waywright::c;
 
 ww_status ww_world_options_init(ww_world_options* options, size_t struct_size) {
-  return init_struct(options, struct_size, kWorldOptions);
+  return init_struct(options, struct_size, kDefaultWorldOptions);
 }
 
 ww_status ww_world_create(ww_box domain, const ww_world_options* options, ww_world** world) {
   return guarded([&] {
     ww_world*& out = answer(world);
-    const ww_world_options given = options != nullptr ? read_struct(options, kWorldOptions) : kWorldOptions;
-    const WorldOptions wanted{is_set(given.keep_abstraction), is_set(given.keep_bridges), given.new_vertex_limit};
-    Result<World> made = World::create(to_cpp(domain), wanted);
+    const ww_world_options given =
+        options != nullptr ? read_struct(options, kDefaultWorldOptions) : kDefaultWorldOptions;
+    Result<World> made = World::create(to_cpp(domain), to_cpp(given));
     if (!made.ok()) return fail(made.error());
     out = opaque<ww_world>(new World(std::move(*made)));
     return ww_status{WW_OK};
@@ -120,8 +120,7 @@ ww_status ww_world_domain(const ww_world* world, ww_box* domain) {
 ww_status ww_world_get_options(const ww_world* world, ww_world_options* options) {
   return guarded([&] {
     const StructOut out(options);
-    const WorldOptions found = object(world).options();
-    out.write({0, to_c(found.keep_abstraction), to_c(found.keep_bridges), found.new_vertex_limit});
+    out.write(to_c(object(world).options()));
     return WW_OK;
   });
 }

@@ -5,9 +5,13 @@ usage: ctypes_test.py LIBRARY
 
 import ctypes
 import math
+import re
 import sys
 import threading
 import unittest
+from pathlib import Path
+
+HEADER = (Path(__file__).resolve().parents[2] / "bindings/c/waywright.h").read_text(encoding="utf-8")
 
 
 class Point(ctypes.Structure):
@@ -22,19 +26,26 @@ class Agent(ctypes.Structure):
     _fields_ = [("radius", ctypes.c_double)]
 
 
+TYPES = {
+    "uint32_t": ctypes.c_uint32,
+    "uint64_t": ctypes.c_uint64,
+    "int64_t": ctypes.c_int64,
+    "double": ctypes.c_double,
+    "ww_bool": ctypes.c_int32,
+    "ww_path_algorithm": ctypes.c_int32,
+    "ww_point": Point,
+    "ww_agent": Agent,
+}
+
+
 class PathQuery(ctypes.Structure):
+    """Its members are those of waywright.h."""
+
     _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("algorithm", ctypes.c_int32),
-        ("start", Point),
-        ("goal", Point),
-        ("agent", Agent),
-        ("end_tolerance", ctypes.c_double),
-        ("has_end_tolerance", ctypes.c_int32),
-        ("wants_channel", ctypes.c_int32),
-        ("wants_time", ctypes.c_int32),
-        ("budget_expansions", ctypes.c_uint64),
-        ("budget_nanoseconds", ctypes.c_int64),
+        (name, TYPES[kind])
+        for kind, name in re.findall(
+            r"^  (\w+) (\w+);", re.search(r"^typedef struct ww_path_query {$(.*?)^}", HEADER, re.M | re.S)[1], re.M
+        )
     ]
 
 

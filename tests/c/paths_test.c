@@ -72,7 +72,7 @@ void test_point_paths(void) {
   CHECK_OK(ww_world_find_path(world, &query, context, path));
   CHECK_OK(ww_path_get_info(path, &info));
   CHECK(info.status == WW_PATH_FOUND && info.has_moved_goal == 1);
-  CHECK(is_at(info.moved_goal_from, 42, 50) && is_at(info.moved_goal_to, 40, 50));
+  CHECK(is_at(info.moved_goal.from, 42, 50) && is_at(info.moved_goal.to, 40, 50));
   CHECK_OK(ww_world_default_end_tolerance(world, &tolerance));
   CHECK(tolerance == 100.0 / (1 << 20));
   query.end_tolerance = -1;

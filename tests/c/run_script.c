@@ -278,8 +278,8 @@ static void find_path(Run* run, const ww_script_line* line) {
     printf(",\"found\":true,\"length\":%.17g,\"pieces\":[", info.length);
     print_pieces(run, &info);
     putchar(']');
-    print_moved("moved_start", info.has_moved_start, info.moved_start_from, info.moved_start_to);
-    print_moved("moved_goal", info.has_moved_goal, info.moved_goal_from, info.moved_goal_to);
+    print_moved("moved_start", info.has_moved_start, info.moved_start.from, info.moved_start.to);
+    print_moved("moved_goal", info.has_moved_goal, info.moved_goal.from, info.moved_goal.to);
   } else {
     printf(",\"found\":false,\"reason\":\"%s\"", ww_path_status_name(info.status));
     if (info.status != WW_PATH_NO_PATH) {

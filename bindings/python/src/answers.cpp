@@ -3,6 +3,7 @@
 #include <string>
 
 #include "bind.hpp"
+#include "structs.hpp"
 
 // The answers of queries other than paths.
 
@@ -24,21 +25,18 @@ std::string text_of(const std::vector<ItemId>& ids) {
 }
 
 void bind_agent(py::module_& module) {
-  py::class_<Agent>(module, "Agent", R"(
+  py::class_<Agent> agent(module, "Agent", R"(
 What moves: a point, or a disc with a radius.
 
 >>> waywright.Agent(radius=5)
 <waywright.Agent radius 5.0>
-)")
-      .def(py::init([](double radius) { return Agent{radius}; }), py::kw_only(), py::arg("radius") = 0.0)
-      .def_property_readonly(
-          "radius", [](const Agent& self) { return self.radius; }, "The radius of the disc; 0 for a point.")
+)");
+  bind_members(agent);
+  agent.def(py::init(&to_agent), WAYWRIGHT_AGENT_ARGUMENTS)
       .def(
           "__eq__", [](const Agent& a, const Agent& b) { return a == b; }, py::is_operator())
-      .def("__hash__", [](const Agent& self) { return py::hash(py::make_tuple(self.radius)); })
-      .def("__repr__", [](const Agent& self) { return "<waywright.Agent radius " + text_of(self.radius) + ">"; })
-      .def(py::pickle([](const Agent& self) { return py::make_tuple(self.radius); },
-                      [](const py::tuple& state) { return Agent{state[0].cast<double>()}; }));
+      .def("__hash__", [](const Agent& self) { return py::hash(py::float_(self.radius)); })
+      .def("__repr__", [](const Agent& self) { return "<waywright.Agent radius " + text_of(self.radius) + ">"; });
 }
 
 void bind_location(py::module_& module) {
@@ -74,119 +72,54 @@ void bind_location(py::module_& module) {
 }
 
 void bind_ray_hit(py::module_& module) {
-  py::class_<RayHit>(module, "RayHit", "The answer of World.ray(): the first wall that the agent touches.")
-      .def_property_readonly(
-          "hit", [](const RayHit& self) { return self.hit; }, "Whether there is a wall.")
-      .def_property_readonly(
-          "at", [](const RayHit& self) { return self.at; },
-          "Where the segment touches the wall, or where the centre of the disc is when the disc touches the wall.")
-      .def_property_readonly(
-          "contact", [](const RayHit& self) { return self.contact; },
-          "The position on the walls that is nearest to ``at``.")
-      .def_property_readonly(
-          "items", [](const RayHit& self) { return self.items; },
-          "The ids of the items that the segment or the disc touches, ascending; 0 is the border of the domain.")
-      .def("__bool__", [](const RayHit& self) { return self.hit; })
+  py::class_<RayHit> hit(module, "RayHit", "The answer of World.ray(): the first wall that the agent touches.");
+  bind_members(hit);
+  hit.def("__bool__", [](const RayHit& self) { return self.hit; })
       .def(
           "__eq__", [](const RayHit& a, const RayHit& b) { return a == b; }, py::is_operator())
-      .def("__repr__",
-           [](const RayHit& self) {
-             if (!self.hit) return std::string("<waywright.RayHit none>");
-             return "<waywright.RayHit at " + to_string(self.at) + ", items " + text_of(self.items) + ">";
-           })
-      .def(py::pickle(
-          [](const RayHit& self) { return py::make_tuple(self.hit, self.at, bytes_of(self.items), self.contact); },
-          [](const py::tuple& state) {
-            return RayHit{state[0].cast<bool>(), state[1].cast<Point>(), from_bytes<ItemId>(state[2].cast<py::bytes>()),
-                          state[3].cast<Point>()};
-          }));
+      .def("__repr__", [](const RayHit& self) {
+        if (!self.hit) return std::string("<waywright.RayHit none>");
+        return "<waywright.RayHit at " + to_string(self.at) + ", items " + text_of(self.items) + ">";
+      });
 }
 
 void bind_fits(py::module_& module) {
-  py::class_<DiscFit>(module, "DiscFit", "The answer of World.fit_disc(): whether a disc fits at a position.")
-      .def_property_readonly(
-          "fits", [](const DiscFit& self) { return self.fits; }, "Whether the disc fits.")
-      .def_property_readonly(
-          "items", [](const DiscFit& self) { return self.items; },
-          "The ids of the items that stop the disc, ascending; 0 is the border of the domain.")
-      .def("__bool__", [](const DiscFit& self) { return self.fits; })
+  py::class_<DiscFit> fit(module, "DiscFit", "The answer of World.fit_disc(): whether a disc fits at a position.");
+  bind_members(fit);
+  fit.def("__bool__", [](const DiscFit& self) { return self.fits; })
       .def(
           "__eq__", [](const DiscFit& a, const DiscFit& b) { return a == b; }, py::is_operator())
-      .def("__repr__",
-           [](const DiscFit& self) {
-             return self.fits ? "<waywright.DiscFit fits>"
-                              : "<waywright.DiscFit stopped by " + text_of(self.items) + ">";
-           })
-      .def(py::pickle([](const DiscFit& self) { return py::make_tuple(self.fits, bytes_of(self.items)); },
-                      [](const py::tuple& state) {
-                        return DiscFit{state[0].cast<bool>(), from_bytes<ItemId>(state[1].cast<py::bytes>())};
-                      }));
-  py::class_<NearestFit>(module, "NearestFit",
-                         "The answer of World.nearest_fit(): the nearest point where a disc fits.")
-      .def_property_readonly(
-          "is_found", [](const NearestFit& self) { return self.is_found; }, "Whether the disc fits somewhere.")
-      .def_property_readonly(
-          "at", [](const NearestFit& self) { return self.at; }, "Where the disc fits.")
-      .def_property_readonly(
-          "distance", [](const NearestFit& self) { return self.distance; },
-          "The distance from the point of the query to ``at``.")
-      .def("__bool__", [](const NearestFit& self) { return self.is_found; })
+      .def("__repr__", [](const DiscFit& self) {
+        return self.fits ? "<waywright.DiscFit fits>" : "<waywright.DiscFit stopped by " + text_of(self.items) + ">";
+      });
+  py::class_<NearestFit> nearest(module, "NearestFit",
+                                 "The answer of World.nearest_fit(): the nearest point where a disc fits.");
+  bind_members(nearest);
+  nearest.def("__bool__", [](const NearestFit& self) { return self.is_found; })
       .def(
           "__eq__", [](const NearestFit& a, const NearestFit& b) { return a == b; }, py::is_operator())
-      .def("__repr__",
-           [](const NearestFit& self) {
-             if (!self.is_found) return std::string("<waywright.NearestFit none>");
-             return "<waywright.NearestFit at " + to_string(self.at) + ", " + text_of(self.distance) + " away>";
-           })
-      .def(py::pickle([](const NearestFit& self) { return py::make_tuple(self.is_found, self.at, self.distance); },
-                      [](const py::tuple& state) {
-                        return NearestFit{state[0].cast<bool>(), state[1].cast<Point>(), state[2].cast<double>()};
-                      }));
+      .def("__repr__", [](const NearestFit& self) {
+        if (!self.is_found) return std::string("<waywright.NearestFit none>");
+        return "<waywright.NearestFit at " + to_string(self.at) + ", " + text_of(self.distance) + " away>";
+      });
 }
 
 void bind_widest(py::module_& module) {
-  py::class_<WidestPath>(module, "WidestPath",
-                         "The largest disc that can move from a start to a goal, and the gap that stops "
-                         "every larger disc.")
-      .def_property_readonly(
-          "is_connected", [](const WidestPath& self) { return self.is_connected; },
-          "Whether a disc of some radius above 0 can move from the start to the goal.")
-      .def_property_readonly(
-          "is_limited", [](const WidestPath& self) { return self.is_limited; }, "Whether a gap limits the disc.")
-      .def_property_readonly(
-          "radius", [](const WidestPath& self) { return self.radius; },
-          "The largest radius of a disc that passes all gaps.")
+  py::class_<WidestPath> widest(module, "WidestPath",
+                                "The largest disc that can move from a start to a goal, and the gap that stops "
+                                "every larger disc.");
+  bind_members(widest);
+  widest
       .def_property_readonly(
           "gap", [](const WidestPath& self) { return py::make_tuple(self.from, self.to); }, "The two ends of the gap.")
-      .def_property_readonly(
-          "from_items", [](const WidestPath& self) { return self.from_items; },
-          "The ids of the items at the first end of the gap.")
-      .def_property_readonly(
-          "to_items", [](const WidestPath& self) { return self.to_items; },
-          "The ids of the items at the second end of the gap.")
       .def(
           "__eq__", [](const WidestPath& a, const WidestPath& b) { return a == b; }, py::is_operator())
-      .def("__repr__",
-           [](const WidestPath& self) {
-             if (!self.is_connected) return std::string("<waywright.WidestPath not connected>");
-             std::string text = "<waywright.WidestPath radius " + text_of(self.radius);
-             if (self.is_limited) text += ", gap " + to_string(self.from) + " to " + to_string(self.to);
-             return text + ">";
-           })
-      .def(py::pickle(
-          [](const WidestPath& self) {
-            return py::make_tuple(self.is_connected, self.is_limited, self.radius, self.from, self.to,
-                                  bytes_of(self.from_items), bytes_of(self.to_items));
-          },
-          [](const py::tuple& state) {
-            return WidestPath{state[0].cast<bool>(),
-                              state[1].cast<bool>(),
-                              state[2].cast<double>(),
-                              state[3].cast<Point>(),
-                              state[4].cast<Point>(),
-                              from_bytes<ItemId>(state[5].cast<py::bytes>()),
-                              from_bytes<ItemId>(state[6].cast<py::bytes>())};
-          }));
+      .def("__repr__", [](const WidestPath& self) {
+        if (!self.is_connected) return std::string("<waywright.WidestPath not connected>");
+        std::string text = "<waywright.WidestPath radius " + text_of(self.radius);
+        if (self.is_limited) text += ", gap " + to_string(self.from) + " to " + to_string(self.to);
+        return text + ">";
+      });
 }
 
 /// Returns the index in the list's ids of the first id at each end of each bridge, and the number of ids.

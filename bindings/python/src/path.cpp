@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bind.hpp"
+#include "structs.hpp"
 
 // Paths and positions on them.
 
@@ -147,33 +148,12 @@ std::unique_ptr<Path> path_from(const py::tuple& state) {
 }
 
 void bind_position(py::module_& module) {
-  py::class_<PathPosition>(module, "PathPosition", "A position on a path.")
-      .def_property_readonly(
-          "at", [](const PathPosition& self) { return self.at; }, "The point at this position.")
-      .def_property_readonly(
-          "heading", [](const PathPosition& self) { return self.heading; },
-          "The direction of the path there, of length 1.")
-      .def_property_readonly(
-          "segment", [](const PathPosition& self) { return self.segment; }, "The index of the segment or of the piece.")
-      .def_property_readonly(
-          "before", [](const PathPosition& self) { return self.before; },
-          "The length of the path from its start to the start of this segment or piece.")
-      .def_property_readonly(
-          "distance", [](const PathPosition& self) { return self.distance; },
-          "The length of the path from its start to this position.")
-      .def("__repr__",
-           [](const PathPosition& self) {
-             return "<waywright.PathPosition " + to_string(self.at) + " at distance " +
-                    std::string(py::str(py::repr(py::float_(self.distance)))) + ">";
-           })
-      .def(py::pickle(
-          [](const PathPosition& self) {
-            return py::make_tuple(self.at, self.heading, self.segment, self.before, self.distance);
-          },
-          [](const py::tuple& state) {
-            return PathPosition{state[0].cast<Point>(), state[1].cast<Point>(), state[2].cast<std::size_t>(),
-                                state[3].cast<double>(), state[4].cast<double>()};
-          }));
+  py::class_<PathPosition> position(module, "PathPosition", "A position on a path.");
+  bind_members(position);
+  position.def("__repr__", [](const PathPosition& self) {
+    return "<waywright.PathPosition " + to_string(self.at) + " at distance " +
+           std::string(py::str(py::repr(py::float_(self.distance)))) + ">";
+  });
 }
 
 void bind_walk(PathClass& path) {
@@ -268,19 +248,14 @@ void bind_facts(PathClass& path) {
 
 }  // namespace
 
-PathQuery query_of(Point start, Point goal, const Agent& agent, PathAlgorithm algorithm,
-                   std::optional<double> end_tolerance, std::optional<std::size_t> budget_expansions,
-                   std::optional<double> budget_time) {
-  PathQuery query{.start = start, .goal = goal, .agent = agent, .algorithm = algorithm, .end_tolerance = end_tolerance};
-  query.budget.expansions = budget_expansions.value_or(budget_time ? PathBudget::kNoLimit : 0);
-  if (budget_time) {
-    if (!(*budget_time >= 0.0)) throw py::value_error("budget_time must be a number of seconds, 0 or more");
-    constexpr double kLongest = 1e9;  // thirty years
-    if (*budget_time < kLongest) {
-      query.budget.time = std::chrono::nanoseconds(static_cast<std::int64_t>(*budget_time * kNanosecondsPerSecond));
-    }
+void set_budget(PathBudget& budget, std::optional<std::size_t> expansions, std::optional<double> time) {
+  budget.expansions = expansions.value_or(time ? PathBudget::kNoLimit : 0);
+  if (!time) return;
+  if (!(*time >= 0.0)) throw py::value_error("budget_time must be a number of seconds, 0 or more");
+  constexpr double kLongest = 1e9;  // thirty years
+  if (*time < kLongest) {
+    budget.time = std::chrono::nanoseconds(static_cast<std::int64_t>(*time * kNanosecondsPerSecond));
   }
-  return query;
 }
 
 py::dtype piece_type() {

@@ -9,11 +9,9 @@
 
 namespace waywright::python {
 
-/// Returns the query of the arguments that all functions for paths have. `time` is in seconds.
+/// Sets a budget from two arguments of Python. `time` is in seconds. With a time alone, the triangles have no limit.
 /// Exceptions: py::value_error, if the time is no number or negative.
-[[nodiscard]] PathQuery query_of(Point start, Point goal, const Agent& agent, PathAlgorithm algorithm,
-                                 std::optional<double> end_tolerance, std::optional<std::size_t> budget_expansions,
-                                 std::optional<double> budget_time);
+void set_budget(PathBudget& budget, std::optional<std::size_t> expansions, std::optional<double> time);
 
 /// Returns the type of the elements of an array of pieces: the fields kind (0: line, 1: arc), from, to, centre, radius,
 /// start_angle and end_angle.

@@ -6,6 +6,7 @@
 #include "bind.hpp"
 #include "parallel.hpp"
 #include "path.hpp"
+#include "structs.hpp"
 
 // Many path queries at once: arrays of NumPy in and out.
 
@@ -114,15 +115,13 @@ void find_chunk(const World& world, QueryContext& context, const Chunk& chunk, s
 }
 
 template <class Handle>
-py::tuple find_paths(const Handle& self, const PointsArg& starts, const PointsArg& goals, const AgentsArg& agents,
-                     PathAlgorithm algorithm, std::optional<double> end_tolerance,
-                     std::optional<std::size_t> budget_expansions, std::optional<double> budget_time,
-                     std::optional<double> tolerance, bool wants_points, ThreadCount threads,
-                     const py::object& progress) {
+py::object find_paths(const Handle& self, const PointsArg& starts, const PointsArg& goals,
+                      WAYWRIGHT_PATH_QUERY_BATCH_PARAMETERS, std::optional<double> tolerance, bool wants_points,
+                      ThreadCount threads, const py::object& progress) {
   const std::size_t count = starts.size();
   if (goals.size() != count) throw py::value_error("starts and goals must have the same length");
-  agents.check_count(count);
-  Options options{.query = query_of({}, {}, {}, algorithm, end_tolerance, budget_expansions, budget_time),
+  agent.check_count(count);
+  Options options{.query = to_path_query({}, {}, WAYWRIGHT_PATH_QUERY_BATCH_NAMES),
                   .wants_points = wants_points,
                   .tolerance = tolerance};
   Reporter reporter(progress);
@@ -130,10 +129,10 @@ py::tuple find_paths(const Handle& self, const PointsArg& starts, const PointsAr
   PathAnswers answers(batch, count);
   self.read_long([&](const World& world) {
     batch.run(self.contexts(), reporter, [&](QueryContext& context, const Chunk& chunk) {
-      find_chunk(world, context, chunk, starts.span(), goals.span(), agents, options, answers);
+      find_chunk(world, context, chunk, starts.span(), goals.span(), agent, options, answers);
     });
   });
-  return answers.arrays();
+  return py::module_::import("waywright._batch").attr("PathBatch")(*answers.arrays());
 }
 
 }  // namespace
@@ -141,9 +140,19 @@ py::tuple find_paths(const Handle& self, const PointsArg& starts, const PointsAr
 template <class Class>
 void bind_path_batches(Class& world) {
   using Handle = typename Class::type;
-  world.def("_find_paths", &find_paths<Handle>, py::arg("starts"), py::arg("goals"), py::arg("agent"),
-            py::arg("algorithm"), py::arg("end_tolerance"), py::arg("budget_expansions"), py::arg("budget_time"),
-            py::arg("tolerance"), py::arg("wants_points"), py::arg("threads"), py::arg("progress"));
+  world.def("find_paths", &find_paths<Handle>, py::arg("starts"), py::arg("goals"),
+            WAYWRIGHT_PATH_QUERY_BATCH_ARGUMENTS, py::arg("tolerance") = py::none(), py::arg("wants_points") = true,
+            py::arg("threads") = 1, py::arg("progress") = py::none(),
+            R"(Finds a path for each pair of a start and a goal, on several threads.
+
+``agent`` is one agent, or a list with one for each query. With ``tolerance``, the points of a disc's path are the points
+of Path.polyline(). Without ``wants_points``, the answer has statuses and lengths only. ``progress`` is a function of two
+numbers, how much is done and the total, or True for a bar of tqdm. Ctrl-C ends the call.
+
+>>> batch = world.find_paths([(10, 45), (10, 70)], [(90, 45), (90, 70)], waywright.Agent(radius=5), threads=2)
+>>> batch.lengths.round(3)
+array([83.303, 80.   ])
+)");
 }
 
 template void bind_path_batches(WorldClass& world);

@@ -1,6 +1,7 @@
 #include <string>
 
 #include "bind.hpp"
+#include "structs.hpp"
 
 // Scenes, world scripts and scenarios.
 
@@ -27,17 +28,14 @@ void bind_scene(py::module_& module, WorldClass& world) {
            [](const Scene& self) { return "<waywright.Scene of " + std::to_string(self.items.size()) + " items>"; });
   world.def_static(
       "from_scene",
-      [](const Scene& scene, bool keep_abstraction, bool keep_bridges, ThreadCount threads,
-         const py::object& progress) {
+      [](const Scene& scene, WAYWRIGHT_WORLD_OPTIONS_PARAMETERS, ThreadCount threads, const py::object& progress) {
         Reporter reporter(progress);
         const WithoutGil no_gil;
-        World made =
-            World::create(scene.domain, {.keep_abstraction = keep_abstraction, .keep_bridges = keep_bridges}).value();
+        World made = World::create(scene.domain, to_world_options(WAYWRIGHT_WORLD_OPTIONS_NAMES)).value();
         made.insert_all(scene.items, {.threads = threads.value, .progress = reporter.function()}).value();
         return std::make_shared<WorldHandle>(std::move(made));
       },
-      py::arg("scene"), py::kw_only(), py::arg("keep_abstraction") = true, py::arg("keep_bridges") = false,
-      py::arg("threads") = 1, py::arg("progress") = py::none(),
+      py::arg("scene"), WAYWRIGHT_WORLD_OPTIONS_ARGUMENTS, py::arg("threads") = 1, py::arg("progress") = py::none(),
       R"(Returns a world with the domain and the items of a scene.
 
 >>> scene = waywright.parse_movingai_map("type octile\nheight 2\nwidth 3\nmap\n..@\n..@\n")

@@ -8,6 +8,7 @@
 
 #include "bind.hpp"
 #include "path.hpp"
+#include "structs.hpp"
 
 // Searches in slices.
 
@@ -28,10 +29,8 @@ WorldPointer kept(const WorldPointer& world) { return world; }
 SnapshotPointer kept(const SnapshotPointer& snapshot) { return std::make_shared<SnapshotHandle>(snapshot->copy()); }
 
 // To wait for a world releases the GIL. Another thread can begin another search before the wait ends.
-void begin(SearchHandle& self, const WorldOrSnapshot& world, Point start, Point goal, const Agent& agent,
-           PathAlgorithm algorithm, std::optional<double> end_tolerance, std::optional<std::size_t> budget_expansions,
-           std::optional<double> budget_time) {
-  const PathQuery query = query_of(start, goal, agent, algorithm, end_tolerance, budget_expansions, budget_time);
+void begin(SearchHandle& self, const WorldOrSnapshot& world, Point start, Point goal, WAYWRIGHT_PATH_QUERY_PARAMETERS) {
+  const PathQuery query = to_path_query(start, goal, WAYWRIGHT_PATH_QUERY_NAMES);
   const auto begin_in = [&](const auto& pointer) {
     pointer->refuse_in_attempt();
     const auto searched = kept(pointer);
@@ -88,9 +87,8 @@ Between the slices the world may change: the search then continues, or starts ag
 True
 )")
       .def(py::init([] { return std::make_unique<SearchHandle>(); }))
-      .def("begin", &begin, py::arg("world").none(false), py::arg("start"), py::arg("goal"), py::arg("agent") = Agent{},
-           py::arg("algorithm") = PathAlgorithm::optimal, py::kw_only(), py::arg("end_tolerance") = py::none(),
-           py::arg("budget_expansions") = py::none(), py::arg("budget_time") = py::none(),
+      .def("begin", &begin, py::arg("world").none(false), py::arg("start"), py::arg("goal"),
+           WAYWRIGHT_PATH_QUERY_ARGUMENTS,
            "Starts a search in a world or a snapshot, and cancels the search that is running, if there is one. See "
            "World.find_path().")
       .def("step", &step, py::arg("expansions"),

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "bind.hpp"
+#include "structs.hpp"
 
 // Worlds: making, copying, and facts about the whole world.
 
@@ -9,22 +10,8 @@ namespace waywright::python {
 
 namespace {
 
-WorldPointer create(const Box& domain, bool keep_abstraction, bool keep_bridges, std::optional<std::size_t> limit) {
-  return std::make_shared<WorldHandle>(World::create(domain, {.keep_abstraction = keep_abstraction,
-                                                              .keep_bridges = keep_bridges,
-                                                              .new_vertex_limit = limit.value_or(kNoVertexLimit)})
-                                           .value());
-}
-
-template <class Handle>
-py::dict options_of(const Handle& self) {
-  const auto [options, limit] =
-      self.read([](const World& world) { return std::pair(world.options(), limit_of(world)); });
-  py::dict result;
-  result["keep_abstraction"] = options.keep_abstraction;
-  result["keep_bridges"] = options.keep_bridges;
-  result["new_vertex_limit"] = limit;
-  return result;
+WorldPointer create(const Box& domain, WAYWRIGHT_WORLD_OPTIONS_PARAMETERS) {
+  return std::make_shared<WorldHandle>(World::create(domain, to_world_options(WAYWRIGHT_WORLD_OPTIONS_NAMES)).value());
 }
 
 SnapshotPointer publish(WorldHandle& self, std::optional<std::uint64_t> tick) {
@@ -42,30 +29,10 @@ WorldPointer clone(const WorldHandle& self) {
   });
 }
 
-template <class Handle>
-py::dict memory_of(const Handle& self) {
-  const MemoryUse use = self.read([](const World& world) { return world.memory(); });
-  py::dict result;
-  result["vertices"] = use.vertices;
-  result["crossings"] = use.crossings;
-  result["faces"] = use.faces;
-  result["walls"] = use.walls;
-  result["items"] = use.items;
-  result["sectors"] = use.sectors;
-  result["abstraction"] = use.abstraction;
-  result["bridges"] = use.bridges;
-  result["history"] = use.history;
-  result["spare"] = use.spare;
-  result["total"] = use.total();
-  return result;
-}
-
 }  // namespace
 
 void bind_world(WorldClass& world) {
-  world
-      .def(py::init(&create), py::arg("domain"), py::kw_only(), py::arg("keep_abstraction") = true,
-           py::arg("keep_bridges") = false, py::arg("new_vertex_limit") = py::none())
+  world.def(py::init(&create), py::arg("domain"), WAYWRIGHT_WORLD_OPTIONS_ARGUMENTS)
       .def("clone", &clone, R"(Returns an independent copy, with the same answers and the same ids for later items.
 
 >>> copy = world.clone()
@@ -118,8 +85,9 @@ keep a history instead of their snapshots: it takes memory only for the items th
 template <class Class>
 void bind_facts(Class& world) {
   using Handle = typename Class::type;
-  world.def("memory", &memory_of<Handle>,
-            "Returns the bytes that the world takes, by purpose, and their sum as 'total'.");
+  world.def(
+      "memory", [](const Handle& self) { return to_dict(self.read([](const World& w) { return w.memory(); })); },
+      "Returns the bytes that the world takes, by purpose, and their sum as 'total'.");
   const auto fact = [&world](const char* name, auto read, const char* doc) {
     world.def_property_readonly(
         name, [read](const Handle& self) { return self.read(read); }, doc);
@@ -143,7 +111,9 @@ void bind_facts(Class& world) {
   fact(
       "default_end_tolerance", [](const World& w) { return w.default_end_tolerance(); },
       "The default of ``end_tolerance`` in path queries.");
-  world.def_property_readonly("options", &options_of<Handle>, R"(The options, as World() takes them.
+  world.def_property_readonly(
+      "options", [](const Handle& self) { return to_dict(self.read([](const World& w) { return w.options(); })); },
+      R"(The options, as World() takes them.
 
 >>> waywright.World((0, 0, 1, 1), **world.options).options["keep_bridges"]
 True

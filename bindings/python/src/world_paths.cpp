@@ -3,6 +3,7 @@
 
 #include "bind.hpp"
 #include "path.hpp"
+#include "structs.hpp"
 
 // Queries for one path, and for the paths from one start.
 
@@ -11,13 +12,8 @@ namespace waywright::python {
 namespace {
 
 template <class Handle>
-std::unique_ptr<Path> find_path(const Handle& self, Point start, Point goal, const Agent& agent,
-                                PathAlgorithm algorithm, std::optional<double> end_tolerance,
-                                std::optional<std::size_t> budget_expansions, std::optional<double> budget_time,
-                                bool wants_channel, bool wants_time) {
-  PathQuery query = query_of(start, goal, agent, algorithm, end_tolerance, budget_expansions, budget_time);
-  query.wants_channel = wants_channel;
-  query.wants_time = wants_time;
+std::unique_ptr<Path> find_path(const Handle& self, Point start, Point goal, WAYWRIGHT_PATH_QUERY_PARAMETERS) {
+  const PathQuery query = to_path_query(start, goal, WAYWRIGHT_PATH_QUERY_NAMES);
   auto path = std::make_unique<Path>();
   const ContextPool::Loan context(self.contexts());
   self.read_long([&](const World& world) { world.find_path(query, *context, *path).value(); });
@@ -25,13 +21,9 @@ std::unique_ptr<Path> find_path(const Handle& self, Point start, Point goal, con
 }
 
 template <class Handle>
-std::vector<Path> find_paths_from(const Handle& self, Point start, const PointsArg& goals, const Agent& agent,
-                                  bool wants_points, std::optional<double> end_tolerance) {
-  const ManyGoalsQuery query{.start = start,
-                             .goals = goals.span(),
-                             .agent = agent,
-                             .wants_points = wants_points,
-                             .end_tolerance = end_tolerance};
+std::vector<Path> find_paths_from(const Handle& self, Point start, const PointsArg& goals,
+                                  WAYWRIGHT_MANY_GOALS_QUERY_PARAMETERS) {
+  const ManyGoalsQuery query = to_many_goals_query(start, goals, WAYWRIGHT_MANY_GOALS_QUERY_NAMES);
   const ContextPool::Loan context(self.contexts());
   return self.read_long([&](const World& world) {
     std::vector<Path> paths;
@@ -86,10 +78,7 @@ template <class Class>
 void bind_world_paths(Class& world) {
   using Handle = typename Class::type;
   world
-      .def("find_path", &find_path<Handle>, py::arg("start"), py::arg("goal"), py::arg("agent") = Agent{},
-           py::arg("algorithm") = PathAlgorithm::optimal, py::kw_only(), py::arg("end_tolerance") = py::none(),
-           py::arg("budget_expansions") = py::none(), py::arg("budget_time") = py::none(),
-           py::arg("wants_channel") = false, py::arg("wants_time") = false,
+      .def("find_path", &find_path<Handle>, py::arg("start"), py::arg("goal"), WAYWRIGHT_PATH_QUERY_ARGUMENTS,
            R"(Finds a path from a start to a goal. "No path" is an answer, not an error.
 
 For an agent with a radius, it is the shortest path of a disc's centre, in Path.pieces; the world must keep its bridges.
@@ -102,8 +91,8 @@ triangles, ``budget_time``: the number of seconds that a search by 'ta' may use.
 >>> world.find_path((50, 50), (90, 45)).status
 'start-blocked'
 )")
-      .def("find_paths_from", &find_paths_from<Handle>, py::arg("start"), py::arg("goals"), py::arg("agent") = Agent{},
-           py::kw_only(), py::arg("wants_points") = false, py::arg("end_tolerance") = py::none(),
+      .def("find_paths_from", &find_paths_from<Handle>, py::arg("start"), py::arg("goals"),
+           WAYWRIGHT_MANY_GOALS_QUERY_ARGUMENTS,
            R"(Finds the shortest path from a start to each goal. Returns a list of paths.
 
 With ``wants_points=False`` the paths have a status and a length only.

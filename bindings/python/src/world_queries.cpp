@@ -1,7 +1,7 @@
-#include <limits>
 #include <optional>
 
 #include "bind.hpp"
+#include "structs.hpp"
 
 // Queries about one point, segment, box or disc. The short ones keep the GIL: to release it takes longer than to
 // answer, and another busy thread would then keep it for milliseconds.
@@ -107,15 +107,14 @@ void bind_discs(Class& world) {
 )")
       .def(
           "nearest_fit",
-          [](const Handle& self, Point point, const Agent& agent, std::optional<Point> goal, double limit) {
+          [](const Handle& self, Point point, WAYWRIGHT_NEAREST_FIT_QUERY_PARAMETERS) {
             NearestFit fit;
             const ContextPool::Loan context(self.contexts());
-            const NearestFitQuery query{.point = point, .agent = agent, .goal = goal, .limit = limit};
+            const NearestFitQuery query = to_nearest_fit_query(point, WAYWRIGHT_NEAREST_FIT_QUERY_NAMES);
             self.read_long([&](const World& w) { w.nearest_fit(query, *context, fit).value(); });
             return fit;
           },
-          py::arg("point"), py::arg("agent"), py::kw_only(), py::arg("goal") = py::none(),
-          py::arg("limit") = std::numeric_limits<double>::infinity(),
+          py::arg("point"), WAYWRIGHT_NEAREST_FIT_QUERY_ARGUMENTS,
           R"(Finds the nearest point to ``point``, among all points where a disc fits.
 
 With ``goal``, finds the nearest point from which the disc can move to the goal.

@@ -62,7 +62,6 @@ from waywright._errors import (
 )
 
 for _class in (World, Snapshot):
-    _class.find_paths = _batch.find_paths
     _class.rays = _batch.rays
     _class.nearest_fits = _batch.nearest_fits
     _class.items_at_all = _batch.items_at_all

@@ -127,48 +127,6 @@ def _joined_offsets(lists: Sequence[NDArray[np.int64]]) -> NDArray[np.int64]:
     return np.cumsum(counts)
 
 
-def find_paths(
-    self: AnyWorld,
-    starts: ArrayLike,
-    goals: ArrayLike,
-    agent: Agents = _core.Agent(),
-    algorithm: str = "optimal",
-    *,
-    end_tolerance: float | None = None,
-    budget_expansions: int | None = None,
-    budget_time: float | None = None,
-    tolerance: float | None = None,
-    wants_points: bool = True,
-    threads: int = 1,
-    progress: Progress = None,
-) -> PathBatch:
-    """Finds a path for each pair of a start and a goal, on several threads.
-
-    ``agent`` is one agent, or one for each query. With ``tolerance``, the points of a disc's path are the points of
-    Path.polyline(). Without ``wants_points``, the answer has statuses and lengths only. ``progress`` is a function of two
-    numbers, how much is done and the total, or True for a bar of tqdm. Ctrl-C ends the call.
-
-    >>> batch = world.find_paths([(10, 45), (10, 70)], [(90, 45), (90, 70)], waywright.Agent(radius=5), threads=2)
-    >>> batch.lengths.round(3)
-    array([83.303, 80.   ])
-    """
-    return PathBatch(
-        *self._find_paths(
-            starts,
-            goals,
-            agent,
-            algorithm,
-            end_tolerance,
-            budget_expansions,
-            budget_time,
-            tolerance,
-            wants_points,
-            threads,
-            progress,
-        )
-    )
-
-
 def rays(
     self: AnyWorld,
     starts: ArrayLike,

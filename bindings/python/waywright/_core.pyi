@@ -38,9 +38,17 @@ Precision = Literal["float64", "float32"]
 Theme = Literal["automatic", "light", "dark"]
 
 class Agent:
-    def __init__(self, *, radius: float = 0.0) -> None: ...
+    def __init__(
+        self,
+        # begin Agent arguments
+        *,
+        radius: float = 0.0,
+        # end
+    ) -> None: ...
+    # begin Agent
     @property
     def radius(self) -> float: ...
+    # end
     def __eq__(self, other: object) -> bool: ...
     def __hash__(self) -> int: ...
 
@@ -74,10 +82,12 @@ class Change:
     def __eq__(self, other: object) -> bool: ...
 
 class DiscFit:
+    # begin DiscFit
     @property
     def fits(self) -> bool: ...
     @property
     def items(self) -> list[int]: ...
+    # end
     def __bool__(self) -> bool: ...
     def __eq__(self, other: object) -> bool: ...
 
@@ -102,12 +112,14 @@ class MeshSnapshot:
     def id_offsets(self) -> NDArray[np.int64]: ...
 
 class NearestFit:
+    # begin NearestFit
     @property
     def is_found(self) -> bool: ...
     @property
     def at(self) -> Pair: ...
     @property
     def distance(self) -> float: ...
+    # end
     def __bool__(self) -> bool: ...
     def __eq__(self, other: object) -> bool: ...
 
@@ -160,6 +172,7 @@ class PathChanges:
     def __eq__(self, other: object) -> bool: ...
 
 class PathPosition:
+    # begin PathPosition
     @property
     def at(self) -> Pair: ...
     @property
@@ -170,6 +183,7 @@ class PathPosition:
     def before(self) -> float: ...
     @property
     def distance(self) -> float: ...
+    # end
 
 class PathSearch:
     def __init__(self) -> None: ...
@@ -178,12 +192,16 @@ class PathSearch:
         world: World | Snapshot,
         start: PointLike,
         goal: PointLike,
+        # begin PathQuery
         agent: Agent = ...,
         algorithm: PathAlgorithm = "optimal",
         *,
         end_tolerance: float | None = None,
         budget_expansions: int | None = None,
         budget_time: float | None = None,
+        wants_channel: bool = False,
+        wants_time: bool = False,
+        # end
     ) -> None: ...
     def step(self, expansions: int) -> bool: ...
     @property
@@ -207,14 +225,16 @@ class PathWatch:
     def __bool__(self) -> bool: ...
 
 class RayHit:
+    # begin RayHit
     @property
     def hit(self) -> bool: ...
     @property
     def at(self) -> Pair: ...
     @property
-    def contact(self) -> Pair: ...
-    @property
     def items(self) -> list[int]: ...
+    @property
+    def contact(self) -> Pair: ...
+    # end
     def __bool__(self) -> bool: ...
     def __eq__(self, other: object) -> bool: ...
 
@@ -333,6 +353,7 @@ class Snapshot(_Queries):
     def __exit__(self, *args: object) -> None: ...
 
 class WidestPath:
+    # begin WidestPath
     @property
     def is_connected(self) -> bool: ...
     @property
@@ -340,11 +361,12 @@ class WidestPath:
     @property
     def radius(self) -> float: ...
     @property
-    def gap(self) -> tuple[Pair, Pair]: ...
-    @property
     def from_items(self) -> list[int]: ...
     @property
     def to_items(self) -> list[int]: ...
+    # end
+    @property
+    def gap(self) -> tuple[Pair, Pair]: ...
     def __eq__(self, other: object) -> bool: ...
 
 class _Queries:
@@ -386,10 +408,12 @@ class _Queries:
     def nearest_fit(
         self,
         point: PointLike,
+        # begin NearestFitQuery
         agent: Agent,
         *,
         goal: PointLike | None = None,
         limit: float = ...,
+        # end
     ) -> NearestFit: ...
     def widest_path(self, start: PointLike, goal: PointLike, agent: Agent = ...) -> WidestPath: ...
     def bridges(self, box: BoxLike | None = None) -> BridgeList: ...
@@ -398,6 +422,7 @@ class _Queries:
         self,
         start: PointLike,
         goal: PointLike,
+        # begin PathQuery
         agent: Agent = ...,
         algorithm: PathAlgorithm = "optimal",
         *,
@@ -406,32 +431,21 @@ class _Queries:
         budget_time: float | None = None,
         wants_channel: bool = False,
         wants_time: bool = False,
+        # end
     ) -> Path: ...
     def find_paths_from(
         self,
         start: PointLike,
         goals: ArrayLike,
+        # begin ManyGoalsQuery
         agent: Agent = ...,
         *,
         wants_points: bool = False,
         end_tolerance: float | None = None,
+        # end
     ) -> list[Path]: ...
     def is_affected(self, path: Path | ArrayLike, version: int, agent: Agent | None = None) -> bool: ...
     def find_affected(self, paths: Iterable[Path], version: int) -> list[int]: ...
-    def _find_paths(
-        self,
-        starts: ArrayLike,
-        goals: ArrayLike,
-        agent: Agents,
-        algorithm: PathAlgorithm,
-        end_tolerance: float | None,
-        budget_expansions: int | None,
-        budget_time: float | None,
-        tolerance: float | None,
-        wants_points: bool,
-        threads: int,
-        progress: Progress,
-    ) -> tuple: ...
     def _rays(
         self,
         starts: ArrayLike,
@@ -490,12 +504,14 @@ class _Queries:
         self,
         starts: ArrayLike,
         goals: ArrayLike,
+        # begin PathQuery batch
         agent: Agents = ...,
         algorithm: PathAlgorithm = "optimal",
         *,
         end_tolerance: float | None = None,
         budget_expansions: int | None = None,
         budget_time: float | None = None,
+        # end
         tolerance: float | None = None,
         wants_points: bool = True,
         threads: int = 1,
@@ -539,10 +555,12 @@ class World(_Queries):
     def __init__(
         self,
         domain: BoxLike,
+        # begin WorldOptions
         *,
         keep_abstraction: bool = True,
         keep_bridges: bool = False,
         new_vertex_limit: int | None = None,
+        # end
     ) -> None: ...
     def __copy__(self) -> World: ...
     def __deepcopy__(self, memo: dict) -> World: ...
@@ -600,9 +618,12 @@ class World(_Queries):
     @staticmethod
     def from_scene(
         scene: Scene,
+        # begin WorldOptions
         *,
         keep_abstraction: bool = True,
         keep_bridges: bool = False,
+        new_vertex_limit: int | None = None,
+        # end
         threads: int = 1,
         progress: Progress = None,
     ) -> World: ...

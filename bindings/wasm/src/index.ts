@@ -1,24 +1,17 @@
 export type { Point, Points } from './buffers.js';
+export type { PathAlgorithm, PathStatus } from './enums.js';
 export { type ErrorCode, WaywrightError } from './errors.js';
 export { QueryContext, trim } from './handle.js';
 export { type Item, type ItemInfo, ItemList } from './items.js';
 export { Mesh } from './mesh.js';
 export {
   type Bridge,
-  type MovedEnd,
   Path,
-  type PathAlgorithm,
-  type PathInfo,
-  type PathOptions,
-  type PathPiece,
   type PathPosition,
-  type PathQuery,
   Paths,
   type PathsPoints,
-  type PathStatus,
   type Precision,
   Walkers,
-  type WidestPath,
 } from './path.js';
 export { PathSearch } from './path_search.js';
 export { type PathChanges, PathWatch } from './path_watch.js';
@@ -41,6 +34,22 @@ export {
   type ScriptLine,
   type ScriptLineKind,
 } from './scene.js';
+export type {
+  Agent,
+  ChangedBox,
+  ManyGoalsQuery,
+  MemoryUse,
+  MovedEnd,
+  NearestFit,
+  NearestFitQuery,
+  PathInfo,
+  PathOptions,
+  PathPiece,
+  PathQuery,
+  RayHit,
+  WidestPath,
+  WorldOptions,
+} from './structs.js';
 export { boundingBox, centroid, type FillRule, type ItemKind, type RaggedPoints, Shape, translated } from './shape.js';
 export {
   type MarkStyle,
@@ -53,7 +62,6 @@ export {
   svgToWorld,
 } from './svg.js';
 export {
-  type Agent,
   type Box,
   isInRange,
   type ItemId,
@@ -65,18 +73,12 @@ export {
   version,
 } from './values.js';
 export {
-  type ChangedBox,
   type CrossedItem,
   type DiscFit,
   type Location,
   type LocationKind,
-  type ManyGoalsQuery,
-  type MemoryUse,
-  type NearestFit,
-  type NearestFitQuery,
-  type RayHit,
   type Validation,
   World,
 } from './world.js';
-export { isSavedWorld, type WorldOptions } from './world_history.js';
+export { isSavedWorld } from './world_history.js';
 export type { BulkOptions, Change } from './world_items.js';

@@ -1,141 +1,15 @@
 import { arena, copyIntegers, copyNumbers, copyPoint, packSizes, type Point, readList, readTwoLists, toSize } from './buffers.js';
-import { refuse, shown, toFlag, toNumber, toObject, WaywrightError } from './errors.js';
+import { type PathStatus } from './enums.js';
+import { refuse, shown, toNumber, toObject, WaywrightError } from './errors.js';
 import * as abi from './generated/abi.js';
 import { Address, addressOf, contextAddress, Handle, make, ownAddressOf, type QueryContext } from './handle.js';
 import { allocate, check, f64, lib, release, scratch, u32, u8 } from './runtime.js';
-import {
-  type Agent, answer, askSize, copyAgent, fromEnum, get, isInRange, type ItemId, put, readAgent, readIds, readPoint, toEnum, writeAgent, writePoint,
-} from './values.js';
+import { copyPathQuery, packPathQuery, type PathInfo, type PathPiece, type PathQuery, readPathInfo, readPathPiece, readWidestPath, type WidestPath } from './structs.js';
+import { answer, askSize, get, isInRange, type ItemId, put, readIds, readPoint, toEnum, writePoint } from './values.js';
 
-/** `optimal` finds the shortest path. `ta` and `tra` take less time and may find longer paths. */
-export type PathAlgorithm = 'ta' | 'tra' | 'optimal';
-export type PathStatus = 'found' | 'start-blocked' | 'goal-blocked' | 'no-path';
 export type Precision = 'float64' | 'float32';
 
-export const PATH_ALGORITHMS = ['ta', 'tra', 'optimal'] as const;
-export const PATH_STATUSES = ['found', 'start-blocked', 'goal-blocked', 'no-path'] as const;
 const PRECISIONS = ['float64', 'float32'] as const;
-
-/** The options of a path query: everything except its start and goal. */
-export interface PathOptions {
-  /** The default is `optimal`. */
-  readonly algorithm?: PathAlgorithm;
-  /** The default is a point. For a disc, the world must keep its bridges. */
-  readonly agent?: Agent;
-  /** How far the search may move an end that is blocked. The default is `World.defaultEndTolerance`. */
-  readonly endTolerance?: number;
-  /** Whether the answer contains the edges that the path crosses. */
-  readonly wantsChannel?: boolean;
-  /** Whether the answer contains the time that the search has taken. */
-  readonly wantsTime?: boolean;
-  /** For `ta`: the number of triangles that the search may enter. With 0, the default, the first path is the answer. */
-  readonly budgetExpansions?: number;
-  /** For `ta`: the largest time since the start of the search, in nanoseconds. The default is no limit. */
-  readonly budgetNanoseconds?: number;
-}
-
-export interface PathQuery extends PathOptions {
-  readonly start: Point;
-  readonly goal: Point;
-}
-
-const NO_LIMIT = 2n ** 64n - 1n;
-const ORIGIN: Point = { x: 0, y: 0 };
-
-/** A copy of the options of a query that a caller has given. */
-interface OptionsCopy {
-  readonly algorithm: number;
-  readonly agent: Required<Agent>;
-  readonly endTolerance: number | null;
-  readonly wantsChannel: boolean;
-  readonly wantsTime: boolean;
-  readonly expansions: bigint | null;
-  readonly nanoseconds: bigint | null;
-}
-
-function toExpansions(budget: number): bigint {
-  return budget === Infinity ? NO_LIMIT : BigInt(toSize(budget));
-}
-
-function toNanoseconds(budget: number): bigint | null {
-  if (budget === Infinity) return null;
-  if (Number.isSafeInteger(budget)) return BigInt.asUintN(64, BigInt(budget));
-  return refuse(`a budget of ${shown(budget)} ns is not a whole number`);
-}
-
-export function copyOptions(given: PathOptions): OptionsCopy {
-  const { algorithm = 'optimal', agent = {}, endTolerance, wantsChannel = false, wantsTime = false, ...rest } = toObject(given, 'a query');
-  const { budgetExpansions, budgetNanoseconds } = rest;
-  return {
-    algorithm: toEnum(PATH_ALGORITHMS, algorithm),
-    agent: copyAgent(agent),
-    endTolerance: endTolerance === undefined ? null : toNumber(endTolerance, 'endTolerance'),
-    wantsChannel: toFlag(wantsChannel, 'wantsChannel'),
-    wantsTime: toFlag(wantsTime, 'wantsTime'),
-    expansions: budgetExpansions === undefined ? null : toExpansions(budgetExpansions),
-    nanoseconds: budgetNanoseconds === undefined ? null : toNanoseconds(budgetNanoseconds),
-  };
-}
-
-/** Writes a query to a struct of the module. */
-export function packQuery(options: OptionsCopy, start = ORIGIN, goal = ORIGIN): number {
-  const { ww_path_query: layout } = abi;
-  const struct = scratch.struct2;
-  check(lib.ww_path_query_init(struct, layout.size_));
-  writePoint(struct + layout.start, start);
-  writePoint(struct + layout.goal, goal);
-  put.int(struct + layout.algorithm, options.algorithm);
-  writeAgent(struct + layout.agent, options.agent);
-  if (options.endTolerance !== null) {
-    put.flag(struct + layout.hasEndTolerance, true);
-    put.float(struct + layout.endTolerance, options.endTolerance);
-  }
-  put.flag(struct + layout.wantsChannel, options.wantsChannel);
-  put.flag(struct + layout.wantsTime, options.wantsTime);
-  if (options.expansions !== null) put.long(struct + layout.budgetExpansions, options.expansions);
-  if (options.nanoseconds !== null) put.long(struct + layout.budgetNanoseconds, options.nanoseconds);
-  return struct;
-}
-
-/** Writes a whole query of a caller to a struct of the module. */
-export function packPathQuery(query: PathQuery): number {
-  const options = copyOptions(query);
-  const [start, goal] = [copyPoint(query.start), copyPoint(query.goal)];
-  return packQuery(options, start, goal);
-}
-
-/** An end that the search has moved. */
-export interface MovedEnd {
-  readonly from: Point;
-  readonly to: Point;
-}
-
-/** A piece of the path of a disc's centre: a line, or an arc around a centre. */
-export interface PathPiece {
-  readonly kind: 'line' | 'arc';
-  readonly from: Point;
-  readonly to: Point;
-  /** The centre and the radius of an arc. They have no meaning for a line. */
-  readonly centre: Point;
-  readonly radius: number;
-  /** The angles of an arc, in radians. If `endAngle` is larger, the arc turns left. */
-  readonly startAngle: number;
-  readonly endAngle: number;
-}
-
-/** The radius of the largest disc that can move from start to goal, and the gap that limits it. */
-export interface WidestPath {
-  readonly isConnected: boolean;
-  /** Whether a gap limits the disc. */
-  readonly isLimited: boolean;
-  /** The largest radius of a disc that passes all gaps. Infinity if no gap limits the disc. */
-  readonly radius: number;
-  readonly from: Point;
-  readonly to: Point;
-  /** The items at the two ends of the gap. 0 is the border of the domain. */
-  readonly fromItems: readonly ItemId[];
-  readonly toItems: readonly ItemId[];
-}
 
 /** The straight connection between two walls at the gap between them. */
 export interface Bridge {
@@ -176,20 +50,11 @@ type WidestCall = (
 ) => number;
 
 export function readWidest(call: WidestCall): WidestPath {
-  const { ww_widest_path: layout } = abi;
-  const struct = answer(layout);
+  const struct = answer(abi.ww_widest_path);
   const [from, to] = readTwoLists(8, (a, roomA, countA, b, roomB, countB) =>
-    call(answer(layout), a, roomA, countA, b, roomB, countB),
+    call(answer(abi.ww_widest_path), a, roomA, countA, b, roomB, countB),
   );
-  return {
-    isConnected: get.flag(struct + layout.isConnected),
-    isLimited: get.flag(struct + layout.isLimited),
-    radius: get.float(struct + layout.radius),
-    from: readPoint(struct + layout.from),
-    to: readPoint(struct + layout.to),
-    fromItems: readIds(from),
-    toItems: readIds(to),
-  };
+  return readWidestPath(struct, readIds(from), readIds(to));
 }
 
 /** A position on a path. `Path.advance` changes it. */
@@ -240,62 +105,10 @@ function readPosition(struct: number, position: PathPosition): PathPosition {
   return position;
 }
 
-/** Facts about a path. */
-export interface PathInfo {
-  readonly status: PathStatus;
-  /** The length; 0 if there is no path. */
-  readonly length: number;
-  /** A lower bound: no path is shorter than this number. */
-  readonly lowerBound: number;
-  /** The agent of the query. */
-  readonly agent: Required<Agent>;
-  /** How many triangles the search has entered. */
-  readonly expansions: number;
-  /** The time of the search; 0 unless the query has asked for the time. */
-  readonly nanoseconds: number;
-  readonly pointCount: number;
-  readonly pieceCount: number;
-  readonly channelCount: number;
-  readonly blockerCount: number;
-  readonly movedStart: MovedEnd | null;
-  readonly movedGoal: MovedEnd | null;
-  readonly hasWidest: boolean;
-}
-
 function readInfo(path: number): PathInfo {
-  const { ww_path_info: layout } = abi;
-  const struct = answer(layout);
+  const struct = answer(abi.ww_path_info);
   check(lib.ww_path_get_info(path, struct));
-  const moved = (has: number, from: number, to: number): MovedEnd | null =>
-    get.flag(struct + has) ? { from: readPoint(struct + from), to: readPoint(struct + to) } : null;
-  return {
-    status: fromEnum(PATH_STATUSES, get.int(struct + layout.status)),
-    length: get.float(struct + layout.length),
-    lowerBound: get.float(struct + layout.lowerBound),
-    agent: readAgent(struct + layout.agent),
-    expansions: get.long(struct + layout.expansions),
-    nanoseconds: get.long(struct + layout.nanoseconds),
-    pointCount: get.size(struct + layout.pointCount),
-    pieceCount: get.size(struct + layout.pieceCount),
-    channelCount: get.size(struct + layout.channelCount),
-    blockerCount: get.size(struct + layout.blockerCount),
-    movedStart: moved(layout.hasMovedStart, layout.movedStartFrom, layout.movedStartTo),
-    movedGoal: moved(layout.hasMovedGoal, layout.movedGoalFrom, layout.movedGoalTo),
-    hasWidest: get.flag(struct + layout.hasWidest),
-  };
-}
-
-function readPiece(struct: number): PathPiece {
-  const { ww_path_piece: layout } = abi;
-  return {
-    kind: get.int(struct + layout.kind) === abi.WW_PIECE_LINE ? 'line' : 'arc',
-    from: readPoint(struct + layout.from),
-    to: readPoint(struct + layout.to),
-    centre: readPoint(struct + layout.centre),
-    radius: get.float(struct + layout.radius),
-    startAngle: get.float(struct + layout.startAngle),
-    endAngle: get.float(struct + layout.endAngle),
-  };
+  return readPathInfo(struct);
 }
 
 /**
@@ -360,7 +173,7 @@ export class Path extends Handle {
     const { address } = this;
     const size = abi.ww_path_piece.size_;
     const list = readList(size, (buffer, capacity, count) => lib.ww_path_pieces(address, buffer, capacity, count));
-    return Array.from({ length: list.count }, (_, i) => readPiece(list.address + i * size));
+    return Array.from({ length: list.count }, (_, i) => readPathPiece(list.address + i * size));
   }
 
   /** The edges that the path crosses, four numbers for each: its ends on the left and on the right, seen on the path. */
@@ -539,7 +352,7 @@ function allocateZeroed(bytes: number): number {
 
 /** Makes a path query. Returns the given path, or a new one. */
 export function findPath(world: Handle, query: PathQuery, path: Path, context: QueryContext | undefined): Path {
-  const asked = packPathQuery(query);
+  const asked = packPathQuery(copyPathQuery(query));
   const [within, used, into] = [world.address, contextAddress(context), ownAddressOf(Path, path)];
   path.renew();
   check(lib.ww_world_find_path(within, asked, used, into));

@@ -1,8 +1,9 @@
 import { copyNumbers, readList, toSize } from './buffers.js';
 import { toFlag } from './errors.js';
 import { Address, addressOf, Handle, make } from './handle.js';
-import { packPathQuery, Path, type PathQuery } from './path.js';
+import { Path } from './path.js';
 import { check, lib, scratch, u32 } from './runtime.js';
+import { copyPathQuery, packPathQuery, type PathQuery } from './structs.js';
 import { askFlag, askSize } from './values.js';
 import { World } from './world.js';
 
@@ -17,7 +18,7 @@ export class PathSearch extends Handle {
 
   /** Starts a search. It cancels the search that is running. */
   begin(world: World, query: PathQuery): void {
-    const asked = packPathQuery(query);
+    const asked = packPathQuery(copyPathQuery(query));
     const [address, within] = [this.address, addressOf(World, world)];
     this.changed();
     check(lib.ww_search_begin(address, within, asked));

@@ -1,12 +1,13 @@
 import { arena, packText, type Point, readList, toBytes, toSize } from './buffers.js';
+import { PATH_ALGORITHMS, type PathAlgorithm } from './enums.js';
 import { toFlag } from './errors.js';
 import * as abi from './generated/abi.js';
 import { Address, addressOf, Handle, make, ownAddressOf } from './handle.js';
 import { ItemList } from './items.js';
-import { PATH_ALGORITHMS, type PathAlgorithm } from './path.js';
 import { check, cTextAt, encode, idAt, lib, scratch, textAt, u32 } from './runtime.js';
+import { type Agent, readAgent } from './structs.js';
 import {
-  type Agent, answer, askSize, askText, type Box, fromEnum, get, type ItemId, itemsHashAt, readAgent, readBox, readPoint, writeBox,
+  answer, askSize, askText, type Box, fromEnum, get, type ItemId, itemsHashAt, readBox, readPoint, writeBox,
 } from './values.js';
 
 export type SceneFormat = 'script' | 'movingai' | 'triangle-poly' | 'triangle-node' | 'saved-world';

@@ -1,11 +1,13 @@
 import { arena, copyList, copyPoint, flatten, packPoints, packText, type Point, type Points } from './buffers.js';
+import { PATH_STATUSES, type PathStatus } from './enums.js';
 import { toFlag, toNumber, toObject } from './errors.js';
 import * as abi from './generated/abi.js';
 import { addressOf, Handle, make } from './handle.js';
-import { packPathQuery, Path, PATH_STATUSES, type PathQuery, type PathStatus } from './path.js';
+import { Path } from './path.js';
 import { check, encode, lib, scratch } from './runtime.js';
+import { copyPathQuery, packPathQuery, type PathQuery, type RayHit } from './structs.js';
 import { answer, type Box, copyBox, get, packIds, put, readBox, readPoint, toEnum, toId, writeBox, writeEnds, writePoint } from './values.js';
-import type { Location, RayHit } from './world.js';
+import type { Location } from './world.js';
 
 export type SvgTheme = 'automatic' | 'light' | 'dark';
 const SVG_THEMES = ['automatic', 'light', 'dark'] as const;
@@ -133,7 +135,7 @@ export class SvgOverlay extends Handle {
 
   /** Adds the path of a disc and its query. */
   addDiscPath(query: PathQuery, path: Path): this {
-    const given = packPathQuery(query);
+    const given = packPathQuery(copyPathQuery(query));
     check(lib.ww_svg_add_disc_path(this.address, given, addressOf(Path, path)));
     return this;
   }

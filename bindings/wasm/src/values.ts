@@ -1,4 +1,4 @@
-import { arena, copyPoint, type List, type Point } from './buffers.js';
+import { arena, copyPoint, type List, packPoints, type Point } from './buffers.js';
 import { refuse, shown, toNumber, toObject, WaywrightError } from './errors.js';
 import * as abi from './generated/abi.js';
 import { check, f64, i32, idAt, lib, scratch, textAt, u32, u64, u8 } from './runtime.js';
@@ -35,6 +35,13 @@ export function readIds({ address, count }: List, stride = 8): ItemId[] {
   const ids = new Array<ItemId>(count);
   for (let i = 0; i < count; ++i) ids[i] = idAt(address + stride * i);
   return ids;
+}
+
+/** Copies points into the arena, and writes their address and their number to a struct. */
+export function putPoints(address: number, count: number, coordinates: Float64Array): void {
+  const list = packPoints(coordinates);
+  u32[address >>> 2] = list.address;
+  u32[count >>> 2] = list.count;
 }
 
 /** Copies ids into the arena. */
@@ -77,28 +84,6 @@ export function writeBox(address: number, box: Box): number {
 
 export function readBox(address: number): Box {
   return { min: readPoint(address), max: readPoint(address + 16) };
-}
-
-/** What moves: a point, or a disc with a radius. */
-export interface Agent {
-  /** The default, 0, stands for a point. */
-  readonly radius?: number;
-}
-
-/** Returns a copy of an agent that a caller has given. */
-export function copyAgent(agent: Agent): Required<Agent> {
-  const { radius = 0 } = toObject(agent, 'an agent');
-  return { radius: toNumber(radius, 'the radius') };
-}
-
-/** Writes a copy of an agent. */
-export function writeAgent(address: number, { radius }: Required<Agent>): number {
-  f64[(address + abi.ww_agent.radius) >>> 3] = radius;
-  return address;
-}
-
-export function readAgent(address: number): Required<Agent> {
-  return { radius: f64[(address + abi.ww_agent.radius) >>> 3]! };
 }
 
 /** Reads the members of structs. */

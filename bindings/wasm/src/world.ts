@@ -1,21 +1,24 @@
 import {
-  arena, copyList, copyPoint, flatten, packPoints, packSizes, packText, type Point, type Points, readList, toBytes,
+  arena, copyList, flatten, packPoints, packSizes, packText, type Point, type Points, readList, toBytes,
 } from './buffers.js';
-import { refuse, toFlag, toNumber, toObject } from './errors.js';
+import { refuse } from './errors.js';
 import * as abi from './generated/abi.js';
 import { Address, addressOf, contextAddress, make, ownAddressOf, type QueryContext } from './handle.js';
 import { Mesh } from './mesh.js';
-import {
-  type Bridge, copyOptions, findPath, packQuery, Path, type PathOptions, type PathQuery, Paths, readBridges, readWidest,
-  type WidestPath,
-} from './path.js';
+import { type Bridge, findPath, Path, Paths, readBridges, readWidest } from './path.js';
 import { check, idAt, lib, scratch, textAt, withProgress } from './runtime.js';
 import { copySvgOptions, packSvgOptions, type SvgOptions, SvgOverlay } from './svg.js';
 import {
-  type Agent, answer, askFlag, askFloat, askLong, askSize, askText, type Box, copyAgent, copyBox, fromEnum, get, type ItemId, itemsHashAt, put,
-  readBox, readIds, readPoint, toLong, writeAgent, writeBox, writeEnds, writePoint,
+  type Agent, type ChangedBox, copyAgent, copyManyGoalsQuery, copyNearestFitQuery, copyPathOptions, copyWorldOptions, type ManyGoalsQuery,
+  type MemoryUse, type NearestFit, type NearestFitQuery, packManyGoalsQuery, packNearestFitQuery, packPathOptions, packWorldOptions,
+  type PathOptions, type PathQuery, putAgent, type RayHit, readChangedBox, readMemoryUse, readNearestFit, readRayHit, readWorldOptions,
+  type WidestPath, type WorldOptions,
+} from './structs.js';
+import {
+  answer, askFlag, askFloat, askLong, askSize, askText, type Box, copyBox, fromEnum, get, type ItemId, itemsHashAt,
+  readBox, readIds, readPoint, toLong, writeBox, writeEnds, writePoint,
 } from './values.js';
-import { packWorldOptions, WorldHistory, type WorldOptions } from './world_history.js';
+import { WorldHistory } from './world_history.js';
 import { type BulkOptions, packBulk, progressOf } from './world_items.js';
 
 export type LocationKind = 'vertex' | 'edge' | 'face';
@@ -37,74 +40,10 @@ export interface CrossedItem {
   readonly at: Point;
 }
 
-/** The first wall that an agent touches. */
-export interface RayHit {
-  /** Whether the segment or the disc touches a wall. */
-  readonly hit: boolean;
-  /** The first position of the segment, or of the disc's centre, at a touch. */
-  readonly at: Point;
-  /** The position on the touched walls that is nearest to `at`. */
-  readonly contact: Point;
-  /** The items that the segment or the disc touches there. 0 is the border of the domain. */
-  readonly items: readonly ItemId[];
-}
-
 export interface DiscFit {
   readonly fits: boolean;
   /** The items that stop the disc. 0 is the border of the domain. */
   readonly items: readonly ItemId[];
-}
-
-export interface NearestFitQuery {
-  readonly point: Point;
-  /** The default is a point. */
-  readonly agent?: Agent;
-  /** If you set it, the answer is the nearest of the points from which the disc can move to this point. */
-  readonly goal?: Point;
-  /** The largest distance of the answer from `point`. The default is infinity. */
-  readonly limit?: number;
-}
-
-export interface NearestFit {
-  readonly isFound: boolean;
-  readonly at: Point;
-  readonly distance: number;
-}
-
-export interface ManyGoalsQuery {
-  readonly start: Point;
-  readonly goals: Points;
-  /** Whether the answers have points. By default they have only status and length. */
-  readonly wantsPoints?: boolean;
-  /** The default is a point. */
-  readonly agent?: Agent;
-  readonly endTolerance?: number;
-}
-
-/** The memory of a world in bytes. */
-export interface MemoryUse {
-  readonly vertices: number;
-  readonly crossings: number;
-  readonly faces: number;
-  readonly walls: number;
-  readonly items: number;
-  readonly sectors: number;
-  readonly abstraction: number;
-  readonly bridges: number;
-  readonly history: number;
-  readonly spare: number;
-  readonly total: number;
-}
-
-/** A region that an operation has changed. */
-export interface ChangedBox {
-  /** The version of the world after the operation. */
-  readonly version: number;
-  /** The bounding box of an item. The last box of an operation can be the bounding box of several items. */
-  readonly box: Box;
-  /** Whether the operation inserted or removed an item in the box. A replacement is both. */
-  readonly isInsertion: boolean;
-  readonly isRemoval: boolean;
 }
 
 export interface Validation {
@@ -115,20 +54,14 @@ export interface Validation {
 
 function createWorld(domain: Box, options: WorldOptions): number {
   const box = copyBox(domain);
-  const given = packWorldOptions(options);
+  const given = packWorldOptions(copyWorldOptions(options));
   return make((address) => lib.ww_world_create(writeBox(scratch.box, box), given, address));
 }
 
 function readHit(call: (struct: number, buffer: number, capacity: number, count: number) => number): RayHit {
-  const { ww_ray_hit: layout } = abi;
   const struct = scratch.struct;
-  const items = readIds(readList(8, (...list) => call(answer(layout), ...list)));
-  return {
-    hit: get.flag(struct + layout.hit),
-    at: readPoint(struct + layout.at),
-    contact: readPoint(struct + layout.contact),
-    items,
-  };
+  const items = readIds(readList(8, (...list) => call(answer(abi.ww_ray_hit), ...list)));
+  return readRayHit(struct, items);
 }
 
 /** Obstacles over a closed box, and their mesh. */
@@ -160,14 +93,9 @@ export class World extends WorldHistory {
 
   /** The options with which you made the world, and its present limit of new vertices. */
   get options(): Required<WorldOptions> {
-    const { ww_world_options: layout } = abi;
-    const struct = answer(layout);
+    const struct = answer(abi.ww_world_options);
     check(lib.ww_world_get_options(this.address, struct));
-    return {
-      keepAbstraction: get.flag(struct + layout.keepAbstraction),
-      keepBridges: get.flag(struct + layout.keepBridges),
-      newVertexLimit: this.newVertexLimit,
-    };
+    return readWorldOptions(struct);
   }
 
   get domain(): Box {
@@ -223,14 +151,14 @@ export class World extends WorldHistory {
   /** Finds the first wall that an agent touches while it moves straight from `from` to `to`. */
   ray(from: Point, to: Point, agent: Agent = {}, context?: QueryContext): RayHit {
     const [given, [a, b]] = [copyAgent(agent), writeEnds(from, to)];
-    const [world, asked, moving] = [this.address, contextAddress(context), writeAgent(scratch.agent, given)];
+    const [world, asked, moving] = [this.address, contextAddress(context), putAgent(scratch.agent, given)];
     return readHit((struct, ...list) => lib.ww_world_ray(world, a, b, moving, asked, struct, ...list));
   }
 
   /** Finds out whether a disc fits at a position. */
   fitDisc(centre: Point, agent: Agent, context?: QueryContext): DiscFit {
     const [given, at] = [copyAgent(agent), writePoint(scratch.a, centre)];
-    const [world, asked, moving] = [this.address, contextAddress(context), writeAgent(scratch.agent, given)];
+    const [world, asked, moving] = [this.address, contextAddress(context), putAgent(scratch.agent, given)];
     const items = readIds(
       readList(8, (...list) => lib.ww_world_fit_disc(world, at, moving, asked, scratch.flag, ...list)),
     );
@@ -239,31 +167,16 @@ export class World extends WorldHistory {
 
   /** Finds the nearest point where a disc fits. */
   nearestFit(query: NearestFitQuery, context?: QueryContext): NearestFit {
-    const { ww_nearest_fit_query: layout, ww_nearest_fit: fit } = abi;
-    const { point, goal, agent = {}, limit = Infinity } = toObject(query, 'a query');
-    const [at, end, moving] = [copyPoint(point), goal === undefined ? null : copyPoint(goal), copyAgent(agent)];
-    const struct = scratch.struct2;
-    check(lib.ww_nearest_fit_query_init(struct, layout.size_));
-    writePoint(struct + layout.point, at);
-    if (end !== null) {
-      put.flag(struct + layout.hasGoal, true);
-      writePoint(struct + layout.goal, end);
-    }
-    writeAgent(struct + layout.agent, moving);
-    put.float(struct + layout.limit, toNumber(limit, 'the limit'));
-    const found = answer(fit);
-    check(lib.ww_world_nearest_fit(this.address, struct, contextAddress(context), found));
-    return {
-      isFound: get.flag(found + fit.isFound),
-      at: readPoint(found + fit.at),
-      distance: get.float(found + fit.distance),
-    };
+    const asked = packNearestFitQuery(copyNearestFitQuery(query));
+    const found = answer(abi.ww_nearest_fit);
+    check(lib.ww_world_nearest_fit(this.address, asked, contextAddress(context), found));
+    return readNearestFit(found);
   }
 
   /** Finds the largest disc that can move from start to goal. The radius of `agent` does not matter. */
   widestPath(start: Point, goal: Point, agent: Agent = {}, context?: QueryContext): WidestPath {
     const [given, [a, b]] = [copyAgent(agent), writeEnds(start, goal)];
-    const [world, asked, moving] = [this.address, contextAddress(context), writeAgent(scratch.agent, given)];
+    const [world, asked, moving] = [this.address, contextAddress(context), putAgent(scratch.agent, given)];
     return readWidest((struct, ...lists) => lib.ww_world_widest_path(world, a, b, moving, asked, struct, ...lists));
   }
 
@@ -281,12 +194,12 @@ export class World extends WorldHistory {
 
   /** Finds a path for each pair of points in `ends`: start, goal, start, goal, ... The options are the same for all. */
   findPaths(ends: Points, options: PathOptions = {}, paths: Paths = new Paths(), context?: QueryContext): Paths {
-    const [coordinates, given] = [flatten(ends), copyOptions(options)];
+    const [coordinates, given] = [flatten(ends), copyPathOptions(options)];
     if (coordinates.length % 4 !== 0) refuse('a list of ends has two points for each path');
     const [world, asked, into] = [this.address, contextAddress(context), ownAddressOf(Paths, paths)];
     arena.reset();
     const { address, count } = packPoints(coordinates);
-    const query = packQuery(given);
+    const query = packPathOptions(given);
     paths.renew();
     check(lib.ww_js_find_paths(world, query, address, count / 2, asked, into));
     return paths;
@@ -294,23 +207,10 @@ export class World extends WorldHistory {
 
   /** Finds the shortest path from one start to each of many goals. */
   findPathsFrom(query: ManyGoalsQuery, paths: Paths = new Paths(), context?: QueryContext): Paths {
-    const { ww_many_goals_query: layout } = abi;
-    const { start, goals: given, wantsPoints = false, agent = {}, endTolerance } = toObject(query, 'a query');
-    const [coordinates, from, moving] = [flatten(given), copyPoint(start), copyAgent(agent)];
+    const copy = copyManyGoalsQuery(query);
     const [world, asked, into] = [this.address, contextAddress(context), ownAddressOf(Paths, paths)];
     arena.reset();
-    const goals = packPoints(coordinates);
-    const struct = scratch.struct2;
-    check(lib.ww_many_goals_query_init(struct, layout.size_));
-    writePoint(struct + layout.start, from);
-    put.size(struct + layout.goals, goals.address);
-    put.size(struct + layout.goalCount, goals.count);
-    put.flag(struct + layout.wantsPoints, toFlag(wantsPoints, 'wantsPoints'));
-    writeAgent(struct + layout.agent, moving);
-    if (endTolerance !== undefined) {
-      put.flag(struct + layout.hasEndTolerance, true);
-      put.float(struct + layout.endTolerance, toNumber(endTolerance, 'endTolerance'));
-    }
+    const struct = packManyGoalsQuery(copy);
     paths.renew();
     check(lib.ww_world_find_paths_from(world, struct, asked, into));
     return paths;
@@ -326,14 +226,14 @@ export class World extends WorldHistory {
     const [coordinates, given] = [flatten(points), copyAgent(agent)];
     arena.reset();
     const { address, count } = packPoints(coordinates);
-    const moving = writeAgent(scratch.agent, given);
+    const moving = putAgent(scratch.agent, given);
     return askFlag((flag) => lib.ww_world_is_clear(this.address, address, count, moving, contextAddress(context), flag));
   }
 
   /** Whether an agent can walk straight from one point to another. Discs are not supported yet. */
   isClearBetween(from: Point, to: Point, agent: Agent = {}, context?: QueryContext): boolean {
     const [given, [a, b]] = [copyAgent(agent), writeEnds(from, to)];
-    const [world, asked, moving] = [this.address, contextAddress(context), writeAgent(scratch.agent, given)];
+    const [world, asked, moving] = [this.address, contextAddress(context), putAgent(scratch.agent, given)];
     return askFlag((flag) => lib.ww_world_is_clear_between(world, a, b, moving, asked, flag));
   }
 
@@ -349,7 +249,7 @@ export class World extends WorldHistory {
     const coordinates = flatten(line);
     arena.reset();
     const { address, count } = packPoints(coordinates);
-    return askFlag((flag) => lib.ww_world_is_affected(this.address, address, count, writeAgent(scratch.agent, given), version, flag));
+    return askFlag((flag) => lib.ww_world_is_affected(this.address, address, count, putAgent(scratch.agent, given), version, flag));
   }
 
   /** The indices of the affected paths, ascending. */
@@ -366,21 +266,11 @@ export class World extends WorldHistory {
 
   /** The regions that operations after version `since` have changed, the oldest first; null if some are unknown. */
   changesSince(since: number): ChangedBox[] | null {
-    const { ww_changed_box: layout } = abi;
+    const size = abi.ww_changed_box.size_;
     const [world, version] = [this.address, toLong(since, 'version')];
-    const { address, count } = readList(layout.size_, (...list) =>
-      lib.ww_world_changes_since(world, version, scratch.flag, ...list),
-    );
+    const { address, count } = readList(size, (...list) => lib.ww_world_changes_since(world, version, scratch.flag, ...list));
     if (!get.flag(scratch.flag)) return null;
-    return Array.from({ length: count }, (_, i) => {
-      const struct = address + i * layout.size_;
-      return {
-        version: get.long(struct + layout.version),
-        box: readBox(struct + layout.box),
-        isInsertion: get.flag(struct + layout.isInsertion),
-        isRemoval: get.flag(struct + layout.isRemoval),
-      };
-    });
+    return Array.from({ length: count }, (_, i) => readChangedBox(address + i * size));
   }
 
   /** The number of operations that the world has carried out. */
@@ -427,12 +317,9 @@ export class World extends WorldHistory {
 
   /** The memory of the world in bytes. */
   memory(): MemoryUse {
-    const { ww_memory_use: layout } = abi;
-    const struct = answer(layout);
+    const struct = answer(abi.ww_memory_use);
     check(lib.ww_world_memory(this.address, struct));
-    const { size_: _size, structSize: _structSize, ...members } = layout;
-    const values = Object.entries(members).map(([name, offset]) => [name, get.size(struct + offset)]);
-    return Object.fromEntries(values) as unknown as MemoryUse;
+    return readMemoryUse(struct);
   }
 
   /** Frees spare memory. */

@@ -1,46 +1,16 @@
 import { arena, flatten, packPoints, packText, type Points, toBytes } from './buffers.js';
-import { refuse, shown, toFlag, toObject } from './errors.js';
-import * as abi from './generated/abi.js';
+import { refuse, shown } from './errors.js';
+import { fromLimit, toLimit } from './limits.js';
 import { check, lib, scratch, withQuestion } from './runtime.js';
-import { type Agent, askCopy, askFlag, askId, askLong, askSize, copyAgent, type ItemId, put, toId, toLong, writeAgent } from './values.js';
+import { type Agent, copyAgent, putAgent } from './structs.js';
+import { askCopy, askFlag, askId, askLong, askSize, type ItemId, toId, toLong } from './values.js';
 import { type Change, copyChanges, packChanges, WorldItems } from './world_items.js';
-
-export interface WorldOptions {
-  /** Whether the world maintains the path abstraction. The default is true. */
-  readonly keepAbstraction?: boolean;
-  /** Whether the world can answer path queries for discs. The default is false. */
-  readonly keepBridges?: boolean;
-  /** The largest number of vertices that one operation may make. The default, Infinity, is no limit. */
-  readonly newVertexLimit?: number;
-}
-
-const NO_LIMIT = 2 ** 32 - 1;
-
-function toLimit(limit: number, what: string): number {
-  if (limit !== Infinity && !(Number.isInteger(limit) && limit >= 0)) {
-    refuse(`${shown(limit)} is no number of ${what}: it is neither Infinity nor a whole number from 0`);
-  }
-  return Math.min(limit, NO_LIMIT);
-}
-
-/** Writes options to a struct of the module. */
-export function packWorldOptions(options: WorldOptions): number {
-  const { ww_world_options: layout } = abi;
-  const { keepAbstraction = true, keepBridges = false, newVertexLimit = Infinity } = toObject(options, 'the options');
-  const [hasAbstraction, hasBridges] = [toFlag(keepAbstraction, 'keepAbstraction'), toFlag(keepBridges, 'keepBridges')];
-  const struct = scratch.struct2;
-  check(lib.ww_world_options_init(struct, layout.size_));
-  put.flag(struct + layout.keepAbstraction, hasAbstraction);
-  put.flag(struct + layout.keepBridges, hasBridges);
-  put.size(struct + layout.newVertexLimit, toLimit(newVertexLimit, 'vertices'));
-  return struct;
-}
 
 /** The part of World that goes back to earlier states, tries changes out, limits operations and saves the world. */
 export abstract class WorldHistory extends WorldItems {
   /** Makes the world remember its last `ticks` ticks from now on. With 0, the world drops its history. */
   keepHistory(ticks: number): void {
-    check(lib.ww_world_keep_history(this.address, toLimit(ticks, 'ticks')));
+    check(lib.ww_world_keep_history(this.address, toLimit(ticks)));
   }
 
   /** Names the current state. Returns its tick: 1 for the first call, and one more for each further call. */
@@ -86,7 +56,7 @@ export abstract class WorldHistory extends WorldItems {
     arena.reset();
     const list = packChanges(copies);
     const { address, count } = packPoints(coordinates);
-    const moving = writeAgent(scratch.agent, given);
+    const moving = putAgent(scratch.agent, given);
     return askFlag((flag) =>
       lib.ww_world_would_disconnect(this.address, list, copies.length, address, count, moving, flag),
     );
@@ -94,11 +64,10 @@ export abstract class WorldHistory extends WorldItems {
 
   /** The largest number of vertices that one operation may make. Infinity is no limit. */
   get newVertexLimit(): number {
-    const limit = askSize((count) => lib.ww_world_new_vertex_limit(this.address, count));
-    return limit === NO_LIMIT ? Infinity : limit;
+    return fromLimit(askSize((count) => lib.ww_world_new_vertex_limit(this.address, count)));
   }
   set newVertexLimit(limit: number) {
-    check(lib.ww_world_set_new_vertex_limit(this.address, toLimit(limit, 'vertices')));
+    check(lib.ww_world_set_new_vertex_limit(this.address, toLimit(limit)));
   }
 
   /** The largest id that the world has seen, or 0. If the world chooses an id, it is this id plus 1. */
