@@ -26,12 +26,12 @@ struct Run {
 template <class Geometry>
 Run run(const Workload& workload) {
   using Clock = std::chrono::steady_clock;
-  Triangulated<Geometry> triangulated(workload.domain);
-  for (const Item& item : workload.before) triangulated.insert(item);
+  const auto triangulated = triangulate<Geometry>(workload.domain);
+  for (const Item& item : workload.before) triangulated->insert(item);
   const Clock::time_point begin = Clock::now();
-  for (const Update& update : workload.updates) triangulated.update(update);
+  for (const Update& update : workload.updates) triangulated->update(update);
   const std::chrono::duration<double> time = Clock::now() - begin;
-  return {time.count(), triangulated.counts(), triangulated.is_planar()};
+  return {time.count(), triangulated->counts(), triangulated->is_planar()};
 }
 
 /// Runs the workload twice. A new process has to request every page of its memory; the first run, which is not timed,

@@ -1,5 +1,8 @@
-#include "constraint/constrained_triangulation.inl"
-#include "thesis/triangulations.hpp"
+#include "thesis/double_arithmetic.hpp"
 
-template class waywright::delaunay::Triangulation<waywright::bench::DoubleGeometry>;
-template class waywright::constraint::ConstrainedTriangulation<waywright::bench::DoubleGeometry>;
+#define WAYWRIGHT_GEOMETRY bench::DoubleGeometry
+#define delaunay delaunay_over_double
+#define constraint constraint_over_double
+
+#include "thesis/triangulated_over.hpp"
+#include "thesis/triangulation_sources.hpp"

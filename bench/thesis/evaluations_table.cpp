@@ -16,8 +16,8 @@ namespace {
 
 template <class Geometry>
 void insert_all(const Workload& workload) {
-  Triangulated<Geometry> triangulated(workload.domain);
-  for (const Update& update : workload.updates) triangulated.update(update);
+  const auto triangulated = triangulate<Geometry>(workload.domain);
+  for (const Update& update : workload.updates) triangulated->update(update);
 }
 
 }  // namespace

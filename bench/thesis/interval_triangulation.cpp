@@ -1,5 +1,8 @@
-#include "constraint/constrained_triangulation.inl"
-#include "thesis/triangulations.hpp"
+#include "thesis/interval_arithmetic.hpp"
 
-template class waywright::delaunay::Triangulation<waywright::bench::IntervalGeometry>;
-template class waywright::constraint::ConstrainedTriangulation<waywright::bench::IntervalGeometry>;
+#define WAYWRIGHT_GEOMETRY bench::IntervalGeometry
+#define delaunay delaunay_over_interval
+#define constraint constraint_over_interval
+
+#include "thesis/triangulated_over.hpp"
+#include "thesis/triangulation_sources.hpp"

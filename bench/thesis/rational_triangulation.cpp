@@ -1,5 +1,8 @@
-#include "constraint/constrained_triangulation.inl"
-#include "thesis/triangulations.hpp"
+#include "thesis/rational_arithmetic.hpp"
 
-template class waywright::delaunay::Triangulation<waywright::bench::RationalGeometry>;
-template class waywright::constraint::ConstrainedTriangulation<waywright::bench::RationalGeometry>;
+#define WAYWRIGHT_GEOMETRY bench::RationalGeometry
+#define delaunay delaunay_over_rational
+#define constraint constraint_over_rational
+
+#include "thesis/triangulated_over.hpp"
+#include "thesis/triangulation_sources.hpp"

@@ -6,10 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "waywright/memory_use.hpp"
 #include "waywright/point.hpp"
 
 #include "base/compiler.hpp"
 #include "exact/sign.hpp"
+#include "memory/array.hpp"
 
 namespace waywright::bench {
 
@@ -44,6 +46,9 @@ class RivalGeometry {
   explicit RivalGeometry(const Box& /*box*/) {}
 
   void set_position(std::uint32_t vertex, const Point& point) { put(vertex, Arithmetic::at(point)); }
+  void set_positions(memory::Array<Point>&& points) {
+    for (std::uint32_t v = 0; v < points.size(); ++v) set_position(v, points[v]);
+  }
   void set_crossing(std::uint32_t vertex, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
     put(vertex, Arithmetic::crossing(positions_[a], positions_[b], positions_[c], positions_[d]));
   }
@@ -53,6 +58,8 @@ class RivalGeometry {
   void roll_back() {
     for (; !log_.empty(); log_.pop_back()) positions_[log_.back().vertex] = std::move(log_.back().position);
   }
+  static void count_memory(MemoryUse&) {}
+  static void shrink_to_fit() {}
 
   [[nodiscard]] View view(std::uint32_t vertex) const { return Arithmetic::view(positions_[vertex]); }
   void prefetch(std::uint32_t vertex) const { base::prefetch(&positions_[vertex]); }

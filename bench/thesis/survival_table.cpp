@@ -41,18 +41,18 @@ struct Result {
 
 template <class Geometry>
 Result run(const Workload& workload) {
-  Triangulated<Geometry> triangulated(workload.domain);
+  const auto triangulated = triangulate<Geometry>(workload.domain);
   Result result;
   bool was_planar = true;
   for (const Update& update : workload.updates) {
     if (!update.removed.is_null() && result.before_removal.vertices == 0) {
-      result.before_removal = triangulated.counts();
-      was_planar = triangulated.is_planar();
+      result.before_removal = triangulated->counts();
+      was_planar = triangulated->is_planar();
     }
-    triangulated.update(update);
+    triangulated->update(update);
   }
-  result.at_end = triangulated.counts();
-  result.is_planar = was_planar && triangulated.is_planar();
+  result.at_end = triangulated->counts();
+  result.is_planar = was_planar && triangulated->is_planar();
   return result;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <type_traits>
+#include <memory>
 
-#include "constraint/exact_triangulation.hpp"
-#include "exact/predicates.hpp"
-#include "thesis/triangulations.hpp"
+#include "exact/geometry.hpp"
+#include "thesis/double_arithmetic.hpp"
+#include "thesis/interval_arithmetic.hpp"
+#include "thesis/rational_arithmetic.hpp"
 #include "workloads.hpp"
 
 namespace waywright::bench {
@@ -19,71 +19,31 @@ struct MeshCounts {
   friend bool operator==(const MeshCounts&, const MeshCounts&) = default;
 };
 
-/// The library's triangulation over a given geometry. It performs a workload's updates as a World does.
-template <class Geometry>
+/// The library's triangulation over some geometry. It performs a workload's updates as a World does.
 class Triangulated {
  public:
-  explicit Triangulated(const Box& domain) : triangulation_(domain) {}
+  virtual ~Triangulated() = default;
 
-  void insert(const Item& item) {
-    typename Triangulation::UndoGuard operation(triangulation_);
-    triangulation_.insert(item.shape, item.id);
-    operation.commit();
-  }
-  void update(const Update& update) {
-    if (!update.removed.is_null()) remove(update.removed);
-    if (!update.inserted.id.is_null()) insert(update.inserted);
-  }
+  virtual void insert(const Item& item) = 0;
+  virtual void update(const Update& update) = 0;
 
-  [[nodiscard]] MeshCounts counts() const {
-    const mesh::TriangleMesh& mesh = triangulation_.topology();
-    MeshCounts counts{mesh.vertex_count() - 1, 0};  // without the ghost
-    for_each_half_edge([&](mesh::HalfEdge h) { counts.fixed_edges += h < mesh.twin(h) && mesh.is_fixed(h) ? 1 : 0; });
-    return counts;
-  }
-
+  [[nodiscard]] virtual MeshCounts counts() const = 0;
   /// Returns whether links are consistent and no face is inverted. For a mesh with rounded crossings, uses the rounded
   /// points.
-  [[nodiscard]] bool is_planar() const {
-    const mesh::TriangleMesh& mesh = triangulation_.topology();
-    if (mesh.find_fault()) return false;
-    bool is_planar = true;
-    for_each_half_edge([&](mesh::HalfEdge h) {
-      if (h != mesh::first(mesh::face(h)) || triangulation_.triangulation().is_ghost_face(h)) return;
-      is_planar = is_planar && turns_left(mesh.origin(h), mesh.target(h), mesh.apex(h));
-    });
-    return is_planar;
-  }
-
- private:
-  using Triangulation = constraint::ConstrainedTriangulation<Geometry>;
-
-  void remove(ItemId id) {
-    typename Triangulation::UndoGuard operation(triangulation_);
-    triangulation_.remove(id);
-    operation.commit();
-  }
-
-  [[nodiscard]] bool turns_left(mesh::Vertex a, mesh::Vertex b, mesh::Vertex c) const {
-    if constexpr (std::is_same_v<typename Geometry::View, Point>) {
-      const auto at = [&](mesh::Vertex v) {
-        return exact::explicit_position(triangulation_.triangulation().geometry().rounded(number(v)));
-      };
-      return exact::orientation(at(a), at(b), at(c)) == exact::Sign::positive;
-    } else {
-      return triangulation_.triangulation().orientation(a, b, c) == exact::Sign::positive;
-    }
-  }
-
-  template <class Visit>
-  void for_each_half_edge(Visit&& visit) const {
-    const mesh::TriangleMesh& mesh = triangulation_.topology();
-    for (std::uint32_t i = 0; i < mesh.face_slots() * 3; ++i) {
-      if (mesh.is_live(mesh::face(mesh::HalfEdge{i}))) visit(mesh::HalfEdge{i});
-    }
-  }
-
-  Triangulation triangulation_;
+  [[nodiscard]] virtual bool is_planar() const = 0;
 };
+
+/// Returns the triangulation of an empty domain over this geometry.
+template <class Geometry>
+[[nodiscard]] std::unique_ptr<Triangulated> triangulate(const Box& domain);
+
+template <>
+[[nodiscard]] std::unique_ptr<Triangulated> triangulate<exact::Geometry>(const Box& domain);
+template <>
+[[nodiscard]] std::unique_ptr<Triangulated> triangulate<DoubleGeometry>(const Box& domain);
+template <>
+[[nodiscard]] std::unique_ptr<Triangulated> triangulate<IntervalGeometry>(const Box& domain);
+template <>
+[[nodiscard]] std::unique_ptr<Triangulated> triangulate<RationalGeometry>(const Box& domain);
 
 }  // namespace waywright::bench

@@ -5,8 +5,7 @@
 #include <tuple>
 
 #include "clearance/bridge_items.hpp"
-#include "constraint/box_flood.hpp"
-#include "constraint/box_test.hpp"
+#include "constraint/boxes.hpp"
 
 namespace waywright::clearance {
 

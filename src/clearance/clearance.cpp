@@ -4,8 +4,7 @@
 #include <atomic>
 #include <utility>
 
-#include "constraint/constrained_triangulation.inl"
-#include "constraint/dump.hpp"
+#include "constraint/canonical.hpp"
 #include "memory/count.hpp"
 
 namespace waywright::clearance {
@@ -58,7 +57,7 @@ std::unique_ptr<Triangulation> walls_of(const Triangulation& world) {
     items.push_back({id, item.shape});
     ids.push_back(id);
   }
-  return std::make_unique<Triangulation>(world.domain(), constraint::ShapeBatch<Item>{items, ids});
+  return std::make_unique<Triangulation>(world.domain(), constraint::ShapeBatch{items, ids});
 }
 
 bool has_any_loose_ring(const Triangulation& world) {
@@ -158,7 +157,7 @@ void Clearance::insert_walls(const Triangulation& world) {
     items.push_back({id, shape_});
     ids.push_back(id);
   }
-  if (!items.empty()) walls_->insert_all(constraint::ShapeBatch<Item>{items, ids});
+  if (!items.empty()) walls_->insert_all(constraint::ShapeBatch{items, ids});
 }
 
 void Clearance::commit() {

@@ -6,7 +6,7 @@
 
 #include "clearance/distance_bounds.hpp"
 #include "clearance/wall_line.hpp"
-#include "constraint/rounding.hpp"
+#include "constraint/distances.hpp"
 #include "exact/gap.hpp"
 
 namespace waywright::clearance {

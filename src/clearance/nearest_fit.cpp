@@ -8,7 +8,7 @@
 
 #include "base/ieee.hpp"
 #include "clearance/wall_line.hpp"
-#include "constraint/rounding.hpp"
+#include "constraint/distances.hpp"
 #include "exact/filter.hpp"
 #include "exact/gap.hpp"
 #include "exact/next_coordinate.hpp"

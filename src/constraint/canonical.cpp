@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "exact/crossing.hpp"
+
 namespace waywright::constraint {
 
 namespace {
@@ -68,6 +70,30 @@ void take_snapshot(const ExactTriangulation& triangulation, CanonicalOrder& orde
     return p.i != q.i ? p.i < q.i : p.j < q.j;
   });
   for (const auto& [i, j, h] : fixed) append_constraint(triangulation, h, i, j, snapshot);
+}
+
+std::string dump(const ExactTriangulation& triangulation) {
+  CanonicalOrder order;
+  MeshSnapshot snapshot;
+  take_snapshot(triangulation, order, snapshot);
+  std::string text = "vertices " + std::to_string(order.vertices.size()) + '\n';
+  for (const mesh::Vertex v : order.vertices) {
+    text += exact::to_fractions(triangulation.triangulation().geometry().exact(number(v)));
+    text += '\n';
+  }
+  text += "triangles " + std::to_string(snapshot.triangles.size()) + '\n';
+  for (const auto& [i, j, k] : snapshot.triangles) {
+    text += std::to_string(i) + ' ' + std::to_string(j) + ' ' + std::to_string(k) + '\n';
+  }
+  text += "constraints " + std::to_string(snapshot.constraints.size()) + '\n';
+  for (const MeshSnapshot::ConstrainedEdge& edge : snapshot.constraints) {
+    text += std::to_string(edge.vertices[0]) + ' ' + std::to_string(edge.vertices[1]);
+    for (std::uint32_t i = 0; i < edge.id_count; ++i) {
+      text += ' ' + std::to_string(snapshot.ids[edge.first_id + i].value);
+    }
+    text += '\n';
+  }
+  return text;
 }
 
 }  // namespace waywright::constraint

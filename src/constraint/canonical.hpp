@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "waywright/mesh_snapshot.hpp"
@@ -23,5 +24,8 @@ struct CanonicalOrder {
 
 /// Fills `snapshot` with the mesh in its canonical order, which depends only on the items; see MeshSnapshot.
 void take_snapshot(const ExactTriangulation& triangulation, CanonicalOrder& order, MeshSnapshot& snapshot);
+
+/// Returns the mesh as canonical text, with its coordinates as reduced fractions: see World::dump.
+[[nodiscard]] std::string dump(const ExactTriangulation& triangulation);
 
 }  // namespace waywright::constraint

@@ -14,9 +14,8 @@
 #include "base/compiler.hpp"
 #include "constraint/batch.hpp"
 #include "constraint/item_table.hpp"
-#include "constraint/new_walls.hpp"
+#include "constraint/operation.hpp"
 #include "constraint/use_lists.hpp"
-#include "constraint/vertex_budget.hpp"
 #include "delaunay/triangulation.hpp"
 #include "locate/curve.hpp"
 #include "memory/journaled_array.hpp"
@@ -29,10 +28,9 @@ namespace waywright::constraint {
 /// The label of an edge is the number of the list of the sides that lie on it (UseLists). A vertex exists because items
 /// have corners there (`corner_uses`, a list of item slots) or because two sides cross there. If a vertex has no
 /// corners and at most two fixed edges, no item needs it, and the class removes it.
-template <class Geometry>
 class ConstrainedTriangulation {
  public:
-  using Triangulation = delaunay::Triangulation<Geometry>;
+  using Triangulation = delaunay::Triangulation;
 
   explicit ConstrainedTriangulation(const Box& domain) : ConstrainedTriangulation(domain, PointBatch{}) {}
   /// Makes the triangulation that insert_all() would make from a triangulation without items, but faster. If it needs
@@ -93,10 +91,9 @@ class ConstrainedTriangulation {
   /// empty. Source: Chen 2009, section 3.3, after Anglada 1997.
   void insert(const Shape& shape, ItemId id);
 
-  /// Inserts many items at once: their corners along a curve, then their sides. A batch has a size(). For each i below
-  /// this size, it has an id(i), a kind(i), a fill(i) and rings(i), which is a range of ranges of points: see
-  /// batch.hpp. Reports progress with team.report(): first the number of corners that are inserted, then the number of
-  /// all corners plus the number of items whose sides are inserted. Requires: for each item, what insert() requires.
+  /// Inserts many items at once, a ShapeBatch or a PointBatch: their corners along a curve, then their sides. Reports
+  /// progress with team.report(): first the number of corners that are inserted, then the number of all corners plus
+  /// the number of items whose sides are inserted. Requires: for each item, what insert() requires.
   template <class Batch>
   void insert_all(const Batch& batch, const threads::ThreadTeam& team = {});
 
@@ -205,7 +202,7 @@ class ConstrainedTriangulation {
   void end_item(std::uint32_t item);
   /// Updates the records after the insertion of a corner: makes room for the list of the vertex and, if the vertex has
   /// split a fixed edge, calls record_split(). Returns the vertex.
-  mesh::Vertex insert_vertex(const typename Triangulation::Inserted& inserted);
+  mesh::Vertex insert_vertex(const Triangulation::Inserted& inserted);
   void insert_side(std::uint32_t slot);
   /// The first step of a side, from its corner `u`.
   [[nodiscard]] Step leave_corner(mesh::Vertex u, const Side& side);
@@ -267,5 +264,8 @@ class ConstrainedTriangulation {
   NewWalls new_walls_;
   Outline outline_;  ///< of the item that the operation inserts or removes
 };
+
+/// The triangulation of a World.
+using ExactTriangulation = ConstrainedTriangulation;
 
 }  // namespace waywright::constraint

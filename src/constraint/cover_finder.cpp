@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "constraint/slot_sets.hpp"
-#include "constraint/winding.hpp"
 
 namespace waywright::constraint {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/compiler.hpp"
-#include "constraint/mix.hpp"
+#include "constraint/item_hash.hpp"
 
 namespace waywright::constraint {
 

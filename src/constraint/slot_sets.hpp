@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "constraint/mix.hpp"
+#include "constraint/item_hash.hpp"
 #include "memory/count.hpp"
 
 // Sets of items, as lists of their slots. The cost of making a set is the cost of sorting its list, however many

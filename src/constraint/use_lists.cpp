@@ -1,6 +1,6 @@
 #include "constraint/use_lists.hpp"
 
-#include "constraint/mix.hpp"
+#include "constraint/item_hash.hpp"
 
 namespace waywright::constraint {
 

@@ -4,16 +4,47 @@
 #include <vector>
 
 #include "base/compiler.hpp"
+#include "delaunay/geometry.hpp"
 #include "exact/sign.hpp"
 #include "mesh/index.hpp"
 
 namespace waywright::delaunay {
 
-// Tests and flips of edges, for mesh::TriangleMesh and mesh::UnloggedMesh.
+/// Whether the circle through `a`, `b` and `c` (counter-clockwise) contains `d`, another position on the circle. This
+/// function breaks the tie.
+///
+/// The first of the four lifted points is lowered by an infinitesimal. If the first is d, the circle contains d. If it
+/// is one of the others, a swap of this point and d in the determinant leads to the same case. The orientation of d and
+/// the two remaining points gives the sign: the circle contains d if it is negative.
+/// Not inlined: ties are rare.
+[[nodiscard]] WAYWRIGHT_NO_INLINE inline bool tied_circle_contains(const Geometry& geometry, const Geometry::View& a,
+                                                                   const Geometry::View& b, const Geometry::View& c,
+                                                                   const Geometry::View& d) {
+  const Geometry::View* first = &d;
+  for (const Geometry::View* const v : {&a, &b, &c}) {
+    if (geometry.order(*v, *first) < 0) first = v;
+  }
+  if (first == &d) return true;
+  const exact::Sign rest = first == &a   ? geometry.orientation(d, b, c)
+                           : first == &b ? geometry.orientation(a, d, c)
+                                         : geometry.orientation(a, b, d);
+  return rest == exact::Sign::negative;
+}
+
+/// Whether the circle through `a`, `b` and `c` (counter-clockwise) contains `d`; breaks ties. Requires: `d` differs
+/// from the other three.
+[[nodiscard]] inline bool circle_contains(const Geometry& geometry, const Geometry::View& a, const Geometry::View& b,
+                                          const Geometry::View& c, const Geometry::View& d) {
+  const exact::Sign sign = geometry.in_circle(a, b, c, d);
+  if (sign != exact::Sign::zero) return sign == exact::Sign::positive;
+  return tied_circle_contains(geometry, a, b, c, d);
+}
+
+// Tests and flips of edges. `Mesh` is mesh::TriangleMesh or mesh::UnloggedMesh.
 
 /// Whether an edge is legal if its four vertices lie on a circle: the first of them in (x, y) order is one of its ends.
 /// Not inlined: ties are rare, and without this code is_legal() can keep its data in registers.
-template <class Geometry, class Mesh>
+template <class Mesh>
 [[nodiscard]] WAYWRIGHT_NO_INLINE bool is_legal_on_circle(const Geometry& geometry, const Mesh& mesh,
                                                           mesh::HalfEdge h) {
   const mesh::HalfEdge t = mesh.twin(h);
@@ -31,15 +62,14 @@ template <class Geometry, class Mesh>
 //        d
 /// Whether the edge of `h` has the empty-circle property for its two faces. `c` is the position of the apex of `h`.
 /// Requires: the edge is free and lies inside the domain.
-template <class Geometry, class Mesh>
-[[nodiscard]] bool is_legal(const Geometry& geometry, const Mesh& mesh, mesh::HalfEdge h,
-                            const typename Geometry::View& c) {
+template <class Mesh>
+[[nodiscard]] bool is_legal(const Geometry& geometry, const Mesh& mesh, mesh::HalfEdge h, const Geometry::View& c) {
   const mesh::HalfEdge t = mesh.twin(h);
   const auto view = [&](mesh::Vertex v) { return geometry.view(number(v)); };
   const exact::Sign sign = geometry.in_circle(view(mesh.origin(h)), view(mesh.origin(t)), c, view(mesh.apex(t)));
   return sign == exact::Sign::zero ? is_legal_on_circle(geometry, mesh, h) : sign == exact::Sign::negative;
 }
-template <class Geometry, class Mesh>
+template <class Mesh>
 [[nodiscard]] bool is_legal(const Geometry& geometry, const Mesh& mesh, mesh::HalfEdge h) {
   return is_legal(geometry, mesh, h, geometry.view(number(mesh.apex(h))));
 }
@@ -51,7 +81,7 @@ template <class Geometry, class Mesh>
 // a long edge between two rows of n points becomes free, there are then n^2 flips. With the queue, there are about n.
 /// Flips the edges in `freed`, and the edges that these flips make illegal, until every free edge is legal. Empties
 /// `freed`.
-template <class Geometry, class Mesh>
+template <class Mesh>
 WAYWRIGHT_NO_INLINE void legalise(const Geometry& geometry, Mesh& mesh, std::vector<mesh::HalfEdge>& freed) {
   constexpr std::size_t kMostDone = 4096;
   for (std::size_t done = 0; done < freed.size();) {

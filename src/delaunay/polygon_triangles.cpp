@@ -1,11 +1,25 @@
 #include "delaunay/polygon_triangles.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/bit_cast.hpp"
+#include "base/compiler.hpp"
+#include "delaunay/legality.hpp"
+#include "exact/sign.hpp"
+#include "exact/twofold.hpp"
 
 namespace waywright::delaunay {
+
+namespace {
+
+[[nodiscard]] WAYWRIGHT_NO_INLINE bool is_left(const Geometry& geometry, const Geometry::View& a,
+                                               const Geometry::View& b, const Geometry::View& c) {
+  return geometry.orientation(a, b, c) == exact::Sign::positive;
+}
+
+}  // namespace
 
 std::uint64_t changed_seed(std::uint64_t seed, const Point& position) {
   for (const double coordinate : {position.x, position.y}) {
@@ -72,6 +86,48 @@ void PolygonTriangles::list(std::vector<Triangle>& triangles) {
       if (twin_[h] != kBorder) free_.push_back(twin_[h]);
     }
   }
+}
+
+void LargeCavity::triangulate(const Geometry& geometry, std::span<const View> positions, std::uint64_t seed,
+                              std::vector<Triangle>& triangles) {
+  const auto replaces = [&](Index h, Index p) { return is_in_circle(geometry, positions, h, p); };
+  triangles_.triangulate(positions.size(), seed, {}, replaces, triangles);
+}
+
+bool LargeCavity::is_in_circle(const Geometry& geometry, std::span<const View> positions, Index h, Index p) const {
+  const View& a = positions[triangles_.origin(h)];
+  const View& b = positions[triangles_.target(h)];
+  const View& c = positions[triangles_.apex(h)];
+  const View& d = positions[p];
+  const exact::Sign sign = geometry.in_circle(a, b, c, d);
+  if (sign != exact::Sign::zero) return sign == exact::Sign::positive;
+  const bool comes_first = geometry.order(d, a) < 0 && geometry.order(d, b) < 0 && geometry.order(d, c) < 0;
+  if (comes_first) return geometry.orientation(a, b, c) == exact::Sign::positive;
+  return tied_circle_contains(geometry, a, b, c, d);
+}
+
+bool SegmentCavity::triangulate(const Geometry& geometry, std::vector<Triangle>& triangles) {
+  find_distances();
+  std::uint64_t seed = 0;
+  for (const Point& p : rounded_) seed = changed_seed(seed, p);
+  triangles_.triangulate(
+      positions_.size(), seed, distances_, [&](Index h, Index p) { return replaces(geometry, h, p); }, triangles);
+  return std::all_of(triangles.begin(), triangles.end(), [&](const Triangle& triangle) {
+    return is_left(geometry, positions_[triangle.from], positions_[triangle.apex], positions_[triangle.to]);
+  });
+}
+
+void SegmentCavity::find_distances() {
+  distances_.clear();
+  for (const Point& p : rounded_)
+    distances_.push_back(std::abs(exact::precise_cross(rounded_.back(), rounded_.front(), p)));
+}
+
+bool SegmentCavity::replaces(const Geometry& geometry, Index h, Index p) const {
+  const View& a = positions_[triangles_.origin(h)];
+  const View& b = positions_[triangles_.target(h)];
+  return circle_contains(geometry, a, b, positions_[triangles_.apex(h)], positions_[p]) ||
+         !is_left(geometry, b, a, positions_[p]);
 }
 
 }  // namespace waywright::delaunay

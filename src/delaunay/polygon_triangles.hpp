@@ -8,6 +8,7 @@
 #include "waywright/memory_use.hpp"
 #include "waywright/point.hpp"
 
+#include "delaunay/geometry.hpp"
 #include "memory/count.hpp"
 #include "mesh/triangle_mesh.hpp"
 
@@ -135,6 +136,111 @@ class PolygonTriangles {
   std::vector<Index> outer_;   ///< by vertex: the half-edge on the border that starts there
   std::vector<Index> free_;    ///< first half-edges of removed triangles; in list(): bases of listed triangles
   std::vector<Edge> stack_;
+};
+
+/// Triangulates the cavity that the removal of a vertex with many neighbours leaves. The border of the cavity, seen
+/// from the lifted vertex, is a convex polygon. The new faces are the facets of the convex hull of the lifted border
+/// that face the vertex. So in-circle tests and the order along the border decide everything, as in a triangulation of
+/// a convex polygon.
+///
+/// The class inserts the vertices of the border in random order. Each insertion removes the triangles whose circle
+/// contains the new vertex. The first of them is known: it lies on the edge between the two neighbours of the new
+/// vertex in the polygon. Cost: expected linear in the number of border vertices.
+///
+/// Source: Chew, *Building Voronoi diagrams for convex polygons in linear expected time*, Dartmouth 1990.
+class LargeCavity {
+ public:
+  using View = Geometry::View;
+  using Triangle = mesh::TriangleMesh::Triangle;
+
+  /// Fills `triangles` with the triangles of the cavity; each comes after the triangle on whose edge it lies, and the
+  /// first one lies on the base. `positions` are the positions of the border's vertices, counter-clockwise. The base
+  /// runs from the last of them to the first. `seed` decides in which order the function inserts the vertices
+  /// (InsertionOrder::reset()). Requires: three or more positions.
+  void triangulate(const Geometry& geometry, std::span<const View> positions, std::uint64_t seed,
+                   std::vector<Triangle>& triangles);
+
+  void count_memory(MemoryUse& use) const { triangles_.count_memory(use); }
+  void release() { triangles_.release(); }
+
+ private:
+  using Index = PolygonTriangles::Index;
+
+  /// Whether the circle of the triangle of `h` contains `p`. Seen from the removed vertex, every triangle is
+  /// counter-clockwise. In the plane it can be clockwise, and then "contains" means the outside of the circle. The sign
+  /// of the determinant is right for both. In a tie, one of the four lifted points is lowered: see
+  /// tied_circle_contains().
+  [[nodiscard]] bool is_in_circle(const Geometry& geometry, std::span<const View> positions, Index h, Index p) const;
+
+  PolygonTriangles triangles_;
+};
+
+/// Triangulates one of the two polygons that a new segment leaves if it crosses many edges of a constrained Delaunay
+/// triangulation. The segment is the base of the polygon. The polygon need not be convex, and it may be only weakly
+/// simple: a vertex at which an edge dangles into the polygon occurs several times on its border.
+///
+/// The class inserts the vertices in random order, like LargeCavity. There are two differences:
+/// - InsertionOrder removes one vertex after the other from the polygon, and each of the two classes inserts the
+///   vertices in the reverse order. For LargeCavity, InsertionOrder may remove every vertex next. For this class, it
+///   removes no vertex while both of its neighbours are farther from the segment than the vertex. So the polygon that
+///   is left is weakly simple, too.
+/// - Consider a triangle behind an edge of the area that the new vertex has replaced so far. The new vertex also
+///   replaces this triangle if the vertex and the edge would form a triangle that is not counter-clockwise.
+///
+/// Source: Shewchuk and Brown, *Fast segment insertion and incremental construction of constrained Delaunay
+/// triangulations*, 2015: the expected time is linear in the number of edges that the segment crosses. If the new
+/// vertex does not see all vertices to which the method connects it, some new triangles are clockwise. The algorithm of
+/// Shewchuk and Brown triangulates these parts again. In our tests, no large polygon needs this step. This class leaves
+/// it out: if a polygon needs it, triangulate() returns false.
+class SegmentCavity {
+ public:
+  using View = Geometry::View;
+  using Triangle = mesh::TriangleMesh::Triangle;
+
+  /// Removes all positions.
+  void clear() {
+    positions_.clear();
+    rounded_.clear();
+  }
+  /// Adds the position of the next vertex on the border, counter-clockwise. The base runs from the last vertex to the
+  /// first. `rounded` is the same position, rounded to doubles.
+  void add(const View& position, const Point& rounded) {
+    positions_.push_back(position);
+    rounded_.push_back(rounded);
+  }
+
+  /// Triangulates the polygon. Fills `triangles` in the order of LargeCavity::triangulate(). Returns whether all
+  /// triangles are counter-clockwise, so that they do not overlap. If it returns false, `triangles` has no meaning. The
+  /// function does not prove that the triangles are Delaunay. Requires: three or more positions.
+  [[nodiscard]] bool triangulate(const Geometry& geometry, std::vector<Triangle>& triangles);
+
+  void count_memory(MemoryUse& use) const {
+    triangles_.count_memory(use);
+    memory::count_spare(use, positions_, rounded_, distances_);
+  }
+  void release() {
+    triangles_.release();
+    memory::release(positions_, rounded_, distances_);
+  }
+
+ private:
+  using Index = PolygonTriangles::Index;
+
+  /// Computes the distance of each vertex from the line of the segment, times a constant. A vertex may be so near to
+  /// this line that a product of doubles has a larger rounding error than its distance. So the function uses products
+  /// of Twofold numbers.
+  void find_distances();
+
+  /// Whether the new vertex `p` replaces the triangle of `h`. If a dangling edge starts at a corner of the triangle,
+  /// `p` may have the same position as this corner. The in-circle test then has no meaning, but is_left() is false, so
+  /// `p` replaces the triangle: if the corner is an end of `h`, the three positions are collinear; if it is the apex,
+  /// it lies left of `h`, so b, a and `p` are clockwise.
+  [[nodiscard]] bool replaces(const Geometry& geometry, Index h, Index p) const;
+
+  std::vector<View> positions_;
+  std::vector<Point> rounded_;
+  PolygonTriangles triangles_;
+  std::vector<double> distances_;  ///< by vertex: see find_distances()
 };
 
 }  // namespace waywright::delaunay

@@ -9,10 +9,9 @@
 
 #include "base/compiler.hpp"
 #include "delaunay/cavity_filler.hpp"
-#include "delaunay/large_cavity.hpp"
+#include "delaunay/geometry.hpp"
 #include "delaunay/legality.hpp"
-#include "delaunay/local_edges.hpp"
-#include "exact/any_geometry.hpp"
+#include "delaunay/polygon_triangles.hpp"
 #include "locate/curve.hpp"
 #include "locate/sectors.hpp"
 #include "locate/walk.hpp"
@@ -25,14 +24,9 @@ namespace waywright::delaunay {
 /// first of the four in (x, y) order. This rule is the limit of a perturbation that lowers every point on the lifting
 /// paraboloid by an infinitesimal, the first point by far the most. So the vertices and the fixed edges determine
 /// exactly one triangulation.
-///
-/// The class Geometry does all arithmetic. It satisfies exact::AnyGeometry. The library uses exact::Geometry.
-template <class Geometry>
 class Triangulation {
-  static_assert(exact::AnyGeometry<Geometry>);
-
  public:
-  using View = typename Geometry::View;
+  using View = Geometry::View;
 
   /// Makes the triangulation of the domain `box`: two triangles. The four edges on its border (bottom, right, top,
   /// left) are fixed with these labels.
@@ -126,7 +120,7 @@ class Triangulation {
   // Always inlined: GCC otherwise removes the call of a function that only prefetches.
   WAYWRIGHT_ALWAYS_INLINE void prefetch(mesh::Vertex v) const {
     mesh_.prefetch(v);
-    if constexpr (requires { geometry_.prefetch(number(v)); }) geometry_.prefetch(number(v));
+    geometry_.prefetch(number(v));
   }
   /// Prefetches the faces that were made together with `v`. It is likely that some of them are still in its star.
   WAYWRIGHT_ALWAYS_INLINE void prefetch_faces_made_with(mesh::Vertex v) const {
@@ -154,8 +148,8 @@ class Triangulation {
 
   /// Several threads can make fixed edges at once, each with a range of vertices of its own: see LocalEdges. Requires:
   /// make_room_for_labels() has been called, and nobody will call roll_back() before the next begin().
-  [[nodiscard]] LocalEdges<Geometry> local_edges(mesh::Vertex begin, mesh::Vertex end) {
-    return LocalEdges<Geometry>(geometry_, mesh_, ghost_, begin, end);
+  [[nodiscard]] LocalEdges local_edges(mesh::Vertex begin, mesh::Vertex end) {
+    return LocalEdges(geometry_, mesh_, ghost_, begin, end);
   }
   void make_room_for_labels() { mesh_.make_room_for_labels(); }
 
@@ -174,14 +168,13 @@ class Triangulation {
   static constexpr std::size_t kLargeCavity = 32;  ///< a cavity is large if its border has more edges than this
   static constexpr std::size_t kManySpokes = 16;   ///< after this number of spokes, star() looks for a crossing
 
-  void set_positions(memory::Array<Point>&& points);
   mesh::Vertex add_vertex(const Point& point);
   void fix_border(const std::array<mesh::Label, 4>& side_labels);
   /// Prefetches the face beyond an edge. The second function prefetches the position of the apex of this face. Call the
   /// second function some time after the first, when the face is in the cache.
   WAYWRIGHT_ALWAYS_INLINE void prefetch_face_beyond(mesh::HalfEdge h) const { mesh_.prefetch(mesh_.twin(h)); }
   WAYWRIGHT_ALWAYS_INLINE void prefetch_apex_beyond(mesh::HalfEdge h) const {
-    if constexpr (requires { geometry_.prefetch(number(h)); }) geometry_.prefetch(number(mesh_.apex(mesh_.twin(h))));
+    geometry_.prefetch(number(mesh_.apex(mesh_.twin(h))));
   }
   /// Flips edges until every edge opposite to a new vertex is legal. `in_doubt_` lists the edges to test; the new
   /// vertex is their apex.
@@ -215,8 +208,8 @@ class Triangulation {
   std::vector<mesh::HalfEdge> cavity_edges_;
   std::vector<View> cavity_positions_;
   std::vector<Triangle> triangles_;
-  LargeCavity<Geometry> large_cavity_;
-  CavityFiller<Geometry> cavity_filler_;
+  LargeCavity large_cavity_;
+  CavityFiller cavity_filler_;
 };
 
 }  // namespace waywright::delaunay

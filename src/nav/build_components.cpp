@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "constraint/winding.hpp"
+#include "constraint/cover_finder.hpp"
 #include "memory/count.hpp"
 #include "nav/components.hpp"
 #include "nav/point_agent.hpp"

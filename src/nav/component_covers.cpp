@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "constraint/cover_finder.hpp"
 #include "constraint/slot_sets.hpp"
-#include "constraint/winding.hpp"
 #include "nav/components.hpp"
 
 // Computes which polygons cover a component, apart from inserted polygons. A component stores only which polygons cover

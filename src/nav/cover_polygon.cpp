@@ -2,7 +2,7 @@
 #include <utility>
 #include <vector>
 
-#include "constraint/winding.hpp"
+#include "constraint/cover_finder.hpp"
 #include "nav/components.hpp"
 
 // Adds an inserted polygon to the covers of the components inside it. The code starts at the faces along the boundary

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "clearance/bridges.hpp"
+#include "constraint/distances.hpp"
 #include "constraint/exact_triangulation.hpp"
-#include "constraint/rounding.hpp"
 #include "exact/gap.hpp"
 #include "nav/two_core.hpp"
 

@@ -7,7 +7,7 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
-#include "constraint/segment_distance.hpp"
+#include "constraint/distances.hpp"
 
 // Lengths in doubles. They serve only two purposes: to choose between paths, and to compute bounds for searches. Exact
 // predicates decide whether a position lies left or right of a line. The code uses the square root because it is

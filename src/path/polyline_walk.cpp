@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "constraint/box_test.hpp"
+#include "constraint/boxes.hpp"
 #include "nav/point_agent.hpp"
 
 namespace waywright::path {

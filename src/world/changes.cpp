@@ -5,7 +5,6 @@
 
 #include "base/float_environment.hpp"
 #include "constraint/batch.hpp"
-#include "constraint/constrained_triangulation.inl"
 #include "world/change_check.hpp"
 #include "world/world_impl.hpp"
 
@@ -146,7 +145,7 @@ std::optional<Error> World::Impl::make_changes(Operation& operation, std::span<c
     const std::size_t count = count_insertions(changes.subspan(i));
     std::optional<Error> error;
     if (count > 1) {
-      error = operation.insert_all(constraint::ShapeBatch<Change>{changes.subspan(i, count), ids.subspan(i, count)});
+      error = operation.insert_all(constraint::ShapeBatch{changes.subspan(i, count), ids.subspan(i, count)});
     } else {
       if (changes[i].kind != Change::Kind::insert) operation.remove(ids[i]);
       if (changes[i].kind != Change::Kind::remove) error = operation.insert(changes[i].shape, ids[i]);
@@ -163,7 +162,7 @@ Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
   Result<std::vector<ItemId>> ids = check_all(impl_->triangulation, changes);
   if (!ids) return ids;
   if (count_insertions(changes) == changes.size()) {
-    auto error = impl_->insert_all(constraint::ShapeBatch<Change>{changes, *ids});
+    auto error = impl_->insert_all(constraint::ShapeBatch{changes, *ids});
     if (error) return in_list("change", error->index, *std::move(error));
     return ids;
   }
@@ -202,7 +201,7 @@ Result<std::vector<ItemId>> World::insert_all(std::span<const Item> items, const
     total += items[i].shape.rings.points().size();
   }
   WAYWRIGHT_ASSERT(options.threads >= 1, kNoThread);
-  if (auto error = impl_->insert_all(constraint::ShapeBatch<Item>{items, ids}, team_of(options, total))) {
+  if (auto error = impl_->insert_all(constraint::ShapeBatch{items, ids}, team_of(options, total))) {
     return in_list("item", error->index, *std::move(error));
   }
   if (options.progress) options.progress(total, total);

@@ -4,7 +4,7 @@
 
 #include "waywright/error.hpp"
 
-#include "constraint/vertex_budget.hpp"
+#include "constraint/operation.hpp"
 
 namespace waywright {
 

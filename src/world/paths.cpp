@@ -9,7 +9,7 @@
 #include "waywright/world.hpp"
 
 #include "base/float_environment.hpp"
-#include "constraint/box_test.hpp"
+#include "constraint/boxes.hpp"
 #include "path/pieces.hpp"
 #include "threads/thread_team.hpp"
 #include "world/path_query_error.hpp"

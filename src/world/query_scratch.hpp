@@ -15,7 +15,6 @@
 #include "clearance/widest_gap.hpp"
 #include "constraint/canonical.hpp"
 #include "constraint/item_queries.hpp"
-#include "constraint/swept_disc.hpp"
 #include "nav/component_cover_finder.hpp"
 #include "path/disc_channel.hpp"
 #include "path/disc_ends.hpp"

@@ -8,7 +8,6 @@
 
 #include "base/float_environment.hpp"
 #include "constraint/batch.hpp"
-#include "constraint/constrained_triangulation.inl"
 #include "world/history.hpp"
 #include "world/item_shape.hpp"
 #include "world/world_impl.hpp"
@@ -23,7 +22,7 @@ constexpr char kNoLimitInRewind[] = "World::rewind: the world had these items be
 constexpr char kNoHistory[] = "World::mark: the world keeps no history; call keep_history() first";
 
 using Triangulation = constraint::ExactTriangulation;
-using Batch = constraint::ShapeBatch<Item>;
+using Batch = constraint::ShapeBatch;
 
 /// The changes that bring back the items of a tick. An item whose shape has changed is in both lists.
 struct ChangesBack {

@@ -6,7 +6,6 @@
 
 #include "base/float_environment.hpp"
 #include "constraint/canonical.hpp"
-#include "constraint/dump.hpp"
 #include "text/sha256.hpp"
 #include "world/point_error.hpp"
 #include "world/query_scratch.hpp"

@@ -13,7 +13,6 @@
 
 #include "base/compiler.hpp"
 #include "base/float_environment.hpp"
-#include "constraint/constrained_triangulation.inl"
 #include "world/item_shape.hpp"
 #include "world/snapshot_pool.hpp"
 #include "world/world_impl.hpp"

@@ -13,7 +13,7 @@
 namespace waywright::test {
 namespace {
 
-using Triangulation = delaunay::Triangulation<exact::Geometry>;
+using Triangulation = delaunay::Triangulation;
 using Ground = bench::Ground<exact::Geometry>;
 using locate::Located;
 using locate::LocatedKind;

@@ -15,7 +15,7 @@
 namespace waywright::test {
 namespace {
 
-using Triangulation = delaunay::Triangulation<exact::Geometry>;
+using Triangulation = delaunay::Triangulation;
 using mesh::HalfEdge;
 
 constexpr std::array<mesh::Label, 4> kSides = {1, 2, 3, 4};

@@ -24,7 +24,7 @@ inline FaceCorners face_corners(const Point& a, const Point& b, const Point& c) 
 }
 
 /// The faces in the domain.
-inline std::set<FaceCorners> faces_of(const delaunay::Triangulation<exact::Geometry>& triangulation) {
+inline std::set<FaceCorners> faces_of(const delaunay::Triangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto point = [&](mesh::Vertex v) { return triangulation.geometry().rounded(number(v)); };
   std::set<FaceCorners> faces;

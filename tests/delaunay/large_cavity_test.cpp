@@ -1,5 +1,3 @@
-#include "delaunay/large_cavity.hpp"
-
 #include <algorithm>
 #include <array>
 #include <set>
@@ -10,13 +8,14 @@
 #include <gtest/gtest.h>
 
 #include "delaunay/face_corners.hpp"
+#include "delaunay/polygon_triangles.hpp"
 #include "delaunay/triangulation.hpp"
 #include "exact/geometry.hpp"
 
 namespace waywright::test {
 namespace {
 
-using Triangulation = delaunay::Triangulation<exact::Geometry>;
+using Triangulation = delaunay::Triangulation;
 using mesh::HalfEdge;
 
 constexpr std::array<mesh::Label, 4> kCavitySides = {1, 2, 3, 4};
@@ -36,7 +35,7 @@ void check_cavity(double size, const std::vector<Point>& points) {
   const mesh::Vertex v = mesh.origin(with.locate(points.back()).h);
   std::vector<mesh::Vertex> link;
   mesh.for_each_outgoing(v, [&](HalfEdge h) { link.push_back(mesh.target(h)); });
-  delaunay::LargeCavity<exact::Geometry> cavity;
+  delaunay::LargeCavity cavity;
   std::vector<mesh::TriangleMesh::Triangle> triangles;
   for (std::size_t k = 0; k < link.size(); ++k) {
     std::vector<exact::Geometry::View> positions;

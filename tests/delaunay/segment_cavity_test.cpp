@@ -1,5 +1,3 @@
-#include "delaunay/segment_cavity.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "delaunay/face_corners.hpp"
+#include "delaunay/polygon_triangles.hpp"
 #include "delaunay/triangulation.hpp"
 #include "exact/geometry.hpp"
 #include "exact/predicates.hpp"
@@ -20,7 +19,7 @@
 namespace waywright::test {
 namespace {
 
-using Triangulation = delaunay::Triangulation<exact::Geometry>;
+using Triangulation = delaunay::Triangulation;
 using Triangle = mesh::TriangleMesh::Triangle;
 using mesh::HalfEdge;
 using mesh::Vertex;
@@ -103,7 +102,7 @@ void check_polygons(const Segment& segment, const std::vector<Point>& points, Me
     if (crossed.empty()) return;
     const std::vector<Vertex> polygon = polygon_left(triangulation, crossed, u, w);
     const auto rounded = [&](std::uint32_t i) { return triangulation.geometry().rounded(number(polygon[i])); };
-    delaunay::SegmentCavity<exact::Geometry> cavity;
+    delaunay::SegmentCavity cavity;
     cavity.clear();
     for (std::uint32_t i = 0; i < polygon.size(); ++i) cavity.add(triangulation.view(polygon[i]), rounded(i));
     ++met.polygons;
@@ -188,7 +187,7 @@ TEST(SegmentCavity, VerticesAFewUlpsFromTheSegmentAreNotRefused) {
   for (int exponent = -60; exponent <= 60; ++exponent) {
     const double scale = std::ldexp(1.0, exponent);
     Triangulation triangulation(Box{scale * Point{-1024, -1024}, scale * Point{1024, 1024}}, kBorderLabels);
-    delaunay::SegmentCavity<exact::Geometry> cavity;
+    delaunay::SegmentCavity cavity;
     for (const Point& p : polygon) {
       const Vertex v = triangulation.insert(scale * p).vertex;
       cavity.add(triangulation.view(v), triangulation.geometry().rounded(number(v)));

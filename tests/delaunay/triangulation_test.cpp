@@ -14,7 +14,7 @@
 namespace waywright::test {
 namespace {
 
-using Triangulation = delaunay::Triangulation<exact::Geometry>;
+using Triangulation = delaunay::Triangulation;
 using mesh::HalfEdge;
 using mesh::Vertex;
 

@@ -124,7 +124,7 @@ TEST(Sectors, DividesNoPoint) {
   EXPECT_TRUE(sectors.are_in_one({0.3, 0.3}, {0.3, 0.3}));
 }
 
-using Triangulation = delaunay::Triangulation<exact::Geometry>;
+using Triangulation = delaunay::Triangulation;
 
 /// Returns points of which 3 in 4 are crowded in a thousandth of the box and the rest lie anywhere.
 std::vector<Point> uneven_points(std::size_t count) {

@@ -9,7 +9,7 @@
 namespace waywright::test {
 namespace {
 
-using Triangulation = delaunay::Triangulation<exact::Geometry>;
+using Triangulation = delaunay::Triangulation;
 using locate::Located;
 using locate::LocatedKind;
 using mesh::HalfEdge;

@@ -17,7 +17,7 @@
 namespace waywright::test {
 namespace {
 
-using Triangulation = delaunay::Triangulation<exact::Geometry>;
+using Triangulation = delaunay::Triangulation;
 using mesh::HalfEdge;
 using mesh::Vertex;
 

@@ -1,7 +1,6 @@
 #include "support/bridges_check.hpp"
 
 #include "clearance/clearance.hpp"
-#include "constraint/constrained_triangulation.inl"
 #include "constraint/exact_triangulation.hpp"
 #include "support/changes_check.hpp"
 #include "support/live_items.hpp"

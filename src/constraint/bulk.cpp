@@ -1,13 +1,10 @@
-#pragma once
-
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <utility>
 
+#include "constraint/batch.hpp"
 #include "constraint/constrained_triangulation.hpp"
-#include "constraint/ring_corners.hpp"
-#include "constraint/scattered_order.hpp"
 #include "memory/count.hpp"
 
 // Inserts many items at once. First it inserts the corners along a curve, so that each is near the previous corner, and
@@ -21,6 +18,8 @@
 // including the numbers of its faces.
 
 namespace waywright::constraint {
+
+namespace {
 
 /// Makes one list of `others` and the corners of all items of a batch, in this order. Returns the list sorted along the
 /// curve of the domain.
@@ -76,14 +75,14 @@ ItemHash::Words hash_of_batch(const Batch& batch) {
   return sum;
 }
 
+}  // namespace
+
 // The vertices of the corners are known when the points are sorted, so one job makes the records and another one hashes
 // the items while other threads make the triangulation. No caller can see this object before it is complete, so there
 // is nothing to undo, and the code empties the undo logs from time to time.
-template <class Geometry>
 template <class Batch>
-ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, const Batch& batch,
-                                                             const threads::ThreadTeam& team,
-                                                             const VertexLimits& limits)
+ConstrainedTriangulation::ConstrainedTriangulation(const Box& domain, const Batch& batch,
+                                                   const threads::ThreadTeam& team, const VertexLimits& limits)
     : domain_(domain), triangulation_(domain, kSidesOfDomain), budget_(limits) {
   locate::SortedPoints sorted = sort_corners(domain, batch, Triangulation::corners_of(domain), team);
   const std::span<const std::uint32_t> ranks(sorted.ranks);
@@ -116,16 +115,14 @@ ConstrainedTriangulation<Geometry>::ConstrainedTriangulation(const Box& domain, 
   begin();
 }
 
-template <class Geometry>
-void ConstrainedTriangulation<Geometry>::add_domain(std::span<const std::uint32_t> ranks) {
+void ConstrainedTriangulation::add_domain(std::span<const std::uint32_t> ranks) {
   for (const std::uint32_t rank : ranks) add_corner(Triangulation::vertex_of_rank(rank), ItemTable::kDomain);
   end_ring();
   items_.set_outline(ItemTable::kDomain, outline_);
 }
 
-template <class Geometry>
 template <class Batch>
-void ConstrainedTriangulation<Geometry>::insert_all(const Batch& batch, const threads::ThreadTeam& team) {
+void ConstrainedTriangulation::insert_all(const Batch& batch, const threads::ThreadTeam& team) {
   const locate::SortedPoints sorted = sort_corners(domain_, batch, {}, team);
   std::vector<mesh::Vertex> vertices;
   budget_.begin_insertion(topology().vertex_count() - 1);
@@ -145,10 +142,9 @@ void ConstrainedTriangulation<Geometry>::insert_all(const Batch& batch, const th
 }
 
 /// Makes a vertex at each point, first in their order. If this is costly, it inserts the others in scattered order.
-template <class Geometry>
-std::optional<std::uint32_t> ConstrainedTriangulation<Geometry>::insert_sorted(std::span<const Point> points,
-                                                                               const threads::ThreadTeam& team,
-                                                                               std::vector<mesh::Vertex>& vertices) {
+std::optional<std::uint32_t> ConstrainedTriangulation::insert_sorted(std::span<const Point> points,
+                                                                     const threads::ThreadTeam& team,
+                                                                     std::vector<mesh::Vertex>& vertices) {
   vertices.reserve(points.size());
   CostWatch watch(kTestsPerVertex);
   while (vertices.size() < points.size() && !watch.is_costly()) {
@@ -171,10 +167,9 @@ std::optional<std::uint32_t> ConstrainedTriangulation<Geometry>::insert_sorted(s
   return std::nullopt;
 }
 
-template <class Geometry>
 template <class Batch, class VertexOf, class AfterRecord>
-auto ConstrainedTriangulation<Geometry>::add_records(const Batch& batch, std::span<const std::uint32_t> ranks,
-                                                     VertexOf&& vertex_of, AfterRecord&& after_record)
+auto ConstrainedTriangulation::add_records(const Batch& batch, std::span<const std::uint32_t> ranks,
+                                           VertexOf&& vertex_of, AfterRecord&& after_record)
     -> std::vector<RankedItem> {
   std::vector<RankedItem> with_sides;
   std::size_t corner = 0;
@@ -202,19 +197,17 @@ auto ConstrainedTriangulation<Geometry>::add_records(const Batch& batch, std::sp
 }
 
 /// Returns whether the number of vertices is now above a limit. If so, sets `refused_index_` to the index of the item.
-template <class Geometry>
 template <class Batch>
-bool ConstrainedTriangulation<Geometry>::is_refused_at(const Batch& batch, std::uint32_t slot) {
+bool ConstrainedTriangulation::is_refused_at(const Batch& batch, std::uint32_t slot) {
   if (!has_too_many_vertices()) return false;
   refused_index_ = 0;
   while (batch.id(refused_index_) != items_.id(slot)) ++refused_index_;
   return true;
 }
 
-template <class Geometry>
 template <class Batch>
-void ConstrainedTriangulation<Geometry>::insert_sides_by_region(const Batch& batch, std::span<const RankedItem> items,
-                                                                std::size_t corners, const threads::ThreadTeam& team) {
+void ConstrainedTriangulation::insert_sides_by_region(const Batch& batch, std::span<const RankedItem> items,
+                                                      std::size_t corners, const threads::ThreadTeam& team) {
   const std::vector<SideOfBatch> late = insert_local_sides(items, corners, team);
   std::size_t complete = items.size();
   for (std::size_t i = 0; i < late.size(); ++i) complete -= i == 0 || late[i].item != late[i - 1].item ? 1 : 0;
@@ -228,10 +221,9 @@ void ConstrainedTriangulation<Geometry>::insert_sides_by_region(const Batch& bat
 /// expected number of edges that it crosses is then small. Calls after_side(the number of inserted sides) from time to
 /// time. If an insertion exceeds a limit, stops and sets `refused_index_`. Source: Shewchuk and Brown, *Fast segment
 /// insertion and incremental construction of constrained Delaunay triangulations*, 2015 (the random order).
-template <class Geometry>
 template <class Batch, class AfterSide>
-void ConstrainedTriangulation<Geometry>::insert_sides(const Batch& batch, std::span<const RankedItem> items,
-                                                      std::span<const SideOfBatch> sides, AfterSide&& after_side) {
+void ConstrainedTriangulation::insert_sides(const Batch& batch, std::span<const RankedItem> items,
+                                            std::span<const SideOfBatch> sides, AfterSide&& after_side) {
   CostWatch watch(kEdgesPerSide);
   std::size_t done = 0;
   const auto insert = [&](const SideOfBatch& side) {
@@ -253,10 +245,8 @@ void ConstrainedTriangulation<Geometry>::insert_sides(const Batch& batch, std::s
 }
 
 /// Inserts each side that LocalEdges can insert within one region. Returns the other sides, in the order of the items.
-template <class Geometry>
-auto ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<const RankedItem> items, std::size_t corners,
-                                                            const threads::ThreadTeam& team)
-    -> std::vector<SideOfBatch> {
+auto ConstrainedTriangulation::insert_local_sides(std::span<const RankedItem> items, std::size_t corners,
+                                                  const threads::ThreadTeam& team) -> std::vector<SideOfBatch> {
   const std::size_t ranks = topology().vertex_count() - 1;  // without the ghost
   const std::size_t size = std::clamp(ranks / kUsualRegions, kSmallestRegion, kLargestRegion);
   // Several regions need memory for the labels of all edges. So if there are few items among many points, the code
@@ -280,10 +270,9 @@ auto ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<const Rank
 /// The ranks [begin, end) are a region. For the items whose first corner lies in this region, inserts each side that
 /// LocalEdges can insert within the region. If `defers_all` is true, it inserts none. Appends the other sides of these
 /// items to `late`. Returns the number of items of which it has inserted all sides.
-template <class Geometry>
-std::size_t ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<const RankedItem> items, std::size_t begin,
-                                                                   std::size_t end, bool defers_all,
-                                                                   std::vector<SideOfBatch>& late) {
+std::size_t ConstrainedTriangulation::insert_local_sides(std::span<const RankedItem> items, std::size_t begin,
+                                                         std::size_t end, bool defers_all,
+                                                         std::vector<SideOfBatch>& late) {
   const auto at = [&](std::size_t rank) {
     const auto found = std::lower_bound(items.begin(), items.end(), rank,
                                         [](const RankedItem& item, std::size_t r) { return item.rank < r; });
@@ -302,5 +291,12 @@ std::size_t ConstrainedTriangulation<Geometry>::insert_local_sides(std::span<con
   }
   return completed;
 }
+
+template ConstrainedTriangulation::ConstrainedTriangulation(const Box&, const PointBatch&, const threads::ThreadTeam&,
+                                                            const VertexLimits&);
+template ConstrainedTriangulation::ConstrainedTriangulation(const Box&, const ShapeBatch&, const threads::ThreadTeam&,
+                                                            const VertexLimits&);
+template void ConstrainedTriangulation::insert_all(const PointBatch&, const threads::ThreadTeam&);
+template void ConstrainedTriangulation::insert_all(const ShapeBatch&, const threads::ThreadTeam&);
 
 }  // namespace waywright::constraint

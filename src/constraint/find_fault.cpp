@@ -1,21 +1,18 @@
-#pragma once
-
 #include <algorithm>
 
 #include "constraint/constrained_triangulation.hpp"
 
 namespace waywright::constraint {
 
-namespace detail {
+namespace {
 
-inline std::string edge_name(const mesh::TriangleMesh& mesh, mesh::HalfEdge h) {
+std::string edge_name(const mesh::TriangleMesh& mesh, mesh::HalfEdge h) {
   return "edge " + std::to_string(number(mesh.origin(h))) + " - " + std::to_string(number(mesh.target(h)));
 }
 
-}  // namespace detail
+}  // namespace
 
-template <class Geometry>
-std::optional<std::string> ConstrainedTriangulation<Geometry>::find_fault() const {
+std::optional<std::string> ConstrainedTriangulation::find_fault() const {
   if (auto fault = topology().find_fault()) return fault;
   if (auto fault = find_orientation_fault()) return fault;
   if (auto fault = find_use_fault()) return fault;
@@ -25,8 +22,7 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_fault() cons
 
 // The triangulation covers the domain exactly once if the mesh is a sphere, all faces in the domain are
 // counter-clockwise, and the border between them and the ghost faces runs exactly once around the domain.
-template <class Geometry>
-std::optional<std::string> ConstrainedTriangulation<Geometry>::find_orientation_fault() const {
+std::optional<std::string> ConstrainedTriangulation::find_orientation_fault() const {
   const mesh::TriangleMesh& mesh = topology();
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     const mesh::Face f{i};
@@ -57,16 +53,15 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_orientation_
   return corner == 4 ? std::nullopt : std::optional<std::string>("the border misses a corner of the domain");
 }
 
-template <class Geometry>
-std::optional<std::string> ConstrainedTriangulation<Geometry>::find_delaunay_fault() const {
+std::optional<std::string> ConstrainedTriangulation::find_delaunay_fault() const {
   const mesh::TriangleMesh& mesh = topology();
   for (std::uint32_t i = 0; i < mesh.face_slots() * 3; ++i) {
     const mesh::HalfEdge h{i};
     if (!mesh.is_live(mesh::face(h)) || h > mesh.twin(h) || triangulation_.is_ghost_face(h)) continue;
     if (triangulation_.is_ghost_face(mesh.twin(h))) {
-      if (!mesh.is_fixed(h)) return detail::edge_name(mesh, h) + " on the border is not fixed";
+      if (!mesh.is_fixed(h)) return edge_name(mesh, h) + " on the border is not fixed";
     } else if (!mesh.is_fixed(h) && !triangulation_.is_legal(h)) {
-      return detail::edge_name(mesh, h) + " is neither fixed nor Delaunay";
+      return edge_name(mesh, h) + " is neither fixed nor Delaunay";
     }
   }
   return std::nullopt;
@@ -74,8 +69,7 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_delaunay_fau
 
 // Follows every side from end to end over the edges that list it. The lists of the edges must not have more entries
 // than these edges.
-template <class Geometry>
-std::optional<std::string> ConstrainedTriangulation<Geometry>::find_use_fault() const {
+std::optional<std::string> ConstrainedTriangulation::find_use_fault() const {
   const mesh::TriangleMesh& mesh = topology();
   std::size_t uses_by_edges = 0;
   for (std::uint32_t i = 0; i < mesh.face_slots() * 3; ++i) {
@@ -102,8 +96,7 @@ std::optional<std::string> ConstrainedTriangulation<Geometry>::find_use_fault() 
   return std::nullopt;
 }
 
-template <class Geometry>
-std::size_t ConstrainedTriangulation<Geometry>::count_edges(std::uint32_t slot) const {
+std::size_t ConstrainedTriangulation::count_edges(std::uint32_t slot) const {
   const mesh::TriangleMesh& mesh = topology();
   const Side& side = items_.side(slot);
   const bool ascends = triangulation_.comes_before(side.from, side.to);
@@ -123,8 +116,7 @@ std::size_t ConstrainedTriangulation<Geometry>::count_edges(std::uint32_t slot) 
 
 // The corners of the items and the corner uses of the vertices must be the same pairs. A vertex without corner uses
 // must be a crossing of sides.
-template <class Geometry>
-std::optional<std::string> ConstrainedTriangulation<Geometry>::find_vertex_fault() const {
+std::optional<std::string> ConstrainedTriangulation::find_vertex_fault() const {
   const mesh::TriangleMesh& mesh = topology();
   using Corner = std::pair<std::uint32_t, std::uint32_t>;
   std::vector<Corner> by_items;

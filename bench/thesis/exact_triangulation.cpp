@@ -1,0 +1,1 @@
+#include "thesis/triangulated_over.hpp"

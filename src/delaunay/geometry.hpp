@@ -1,0 +1,18 @@
+#pragma once
+
+#include "exact/any_geometry.hpp"
+#include "exact/geometry.hpp"
+
+#if !defined(WAYWRIGHT_GEOMETRY)
+#define WAYWRIGHT_GEOMETRY exact::Geometry
+#endif
+
+namespace waywright::delaunay {
+
+/// The class that does all arithmetic of the triangulations. The library uses exact::Geometry. To compare another
+/// arithmetic with it, bench/thesis compiles the triangulations again and defines the macro.
+using Geometry = WAYWRIGHT_GEOMETRY;
+
+static_assert(exact::AnyGeometry<Geometry>);
+
+}  // namespace waywright::delaunay
