@@ -61,12 +61,13 @@ void Abstraction::update(const Triangulation& triangulation, const mesh::Touched
   collect_new_faces(triangulation, touched);
   remove_common_polygons();
   if (is_in_open_space(mesh, touched)) {
-    components_.update_in_open_space(mesh, changed, new_faces_);
+    update_.run_in_open_space(components_, mesh, changed, new_faces_);
     core_.update_in_open_space(mesh, changed, new_faces_);
   } else {
     core_.update(mesh, changed, new_faces_, [&](Face f) { return components_.component_of(f); });  // the old ones
-    components_.update(triangulation, {changed, new_faces_, removed_, inserted_, triangulation.may_have_divided()});
-    if (components_.may_have_connected()) connections_ = new_connections();
+    update_.run(components_, triangulation,
+                {changed, new_faces_, removed_, inserted_, triangulation.may_have_divided()});
+    if (update_.may_have_connected()) connections_ = new_connections();
   }
   is_updated_ = true;
   guard.keep();
@@ -81,6 +82,7 @@ void Abstraction::roll_back() {
   if (!is_updated_) return;
   if (was_rebuilt_) {
     components_ = std::move(before_->components);
+    update_ = std::move(before_->update);
     core_ = std::move(before_->core);
   } else {
     components_.roll_back();
@@ -92,8 +94,9 @@ void Abstraction::roll_back() {
 /// Rebuilds the abstraction. If most faces changed, this costs less than an update of each changed face.
 void Abstraction::rebuild(const Triangulation& triangulation) {
   memory::release(new_faces_);
-  before_ = std::make_unique<Replaced>(Replaced{Components(triangulation), TwoCore(triangulation)});
+  before_ = std::make_unique<Replaced>(Replaced{Components(triangulation), {}, TwoCore(triangulation)});
   std::swap(components_, before_->components);
+  std::swap(update_, before_->update);
   std::swap(core_, before_->core);
   connections_ = new_connections();
   was_rebuilt_ = true;
@@ -150,6 +153,7 @@ std::optional<std::string> Abstraction::find_fault(const Triangulation& triangul
 
 void Abstraction::count_memory(MemoryUse& use) const {
   components_.count_memory(use);
+  update_.count_memory(use);
   core_.count_memory(use);
   memory::count_spare(use, inserted_, removed_, new_faces_, common_);
 }
@@ -158,6 +162,7 @@ void Abstraction::shrink_to_fit() {
   components_.begin();  // empties the logs
   core_.begin();
   components_.shrink_to_fit();
+  update_.shrink_to_fit();
   core_.shrink_to_fit();
   memory::release(inserted_, removed_, new_faces_, common_);
 }

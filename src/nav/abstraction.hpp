@@ -8,8 +8,11 @@
 
 #include "waywright/memory_use.hpp"
 
+#include "base/compiler.hpp"
+#include "constraint/cover_finder.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "mesh/touched_faces.hpp"
+#include "nav/component_update.hpp"
 #include "nav/components.hpp"
 #include "nav/two_core.hpp"
 
@@ -31,7 +34,7 @@ class Abstraction {
   explicit Abstraction(const Triangulation& triangulation);
   /// Copies the components and the core. The copy has other connections(). Requires: no operation is under way.
   Abstraction(const Abstraction& other)
-      : components_(other.components_), core_(other.core_), was_rebuilt_(other.was_rebuilt_) {}
+      : components_(other.components_), update_(other.update_), core_(other.core_), was_rebuilt_(other.was_rebuilt_) {}
   Abstraction(Abstraction&&) = default;
   Abstraction& operator=(const Abstraction&) = delete;
   Abstraction& operator=(Abstraction&&) = default;
@@ -39,6 +42,12 @@ class Abstraction {
 
   [[nodiscard]] const Components& components() const { return components_; }
   [[nodiscard]] const TwoCore& core() const { return core_; }
+
+  /// Prefetches what an update reads and writes of a face, except what it reads of the core.
+  WAYWRIGHT_ALWAYS_INLINE void prefetch_component_of(mesh::Face f) const {
+    components_.prefetch(f);
+    update_.prefetch(f);
+  }
 
   /// A number above 0 that no other object has ever had. It changes whenever an operation may have connected two
   /// components that no polygon covered. So as long as it stays the same, uncovered faces that are not connected stay
@@ -87,11 +96,13 @@ class Abstraction {
   [[nodiscard]] bool is_in_open_space(const mesh::TriangleMesh& mesh, const mesh::TouchedFaces& touched) const;
 
   Components components_;
+  ComponentUpdate update_;
   TwoCore core_;
 
   /// What a rebuild has replaced.
   struct Replaced {
     Components components;
+    ComponentUpdate update;
     TwoCore core;
   };
 
@@ -106,6 +117,33 @@ class Abstraction {
   // Scratch.
   std::vector<mesh::Face> new_faces_;  ///< the touched faces that now lie in the domain
   std::vector<std::uint32_t> common_;
+};
+
+/// Finds the polygons that cover a position. If the world keeps an abstraction, it reads them from the components.
+/// Cost, with an abstraction: O(1) plus the size of the answer.
+class ComponentCoverFinder final : public constraint::CoverFinder {
+ public:
+  /// Sets the abstraction from which this object reads; null for none. Requires: the abstraction exists as long as this
+  /// object uses it.
+  void use(const Abstraction* abstraction) {
+    components_ = abstraction != nullptr ? &abstraction->components() : nullptr;
+  }
+
+  const std::vector<std::uint32_t>& of_face(const constraint::ExactTriangulation& triangulation,
+                                            mesh::HalfEdge h) override {
+    if (components_ == nullptr) return CoverFinder::of_face(triangulation, h);
+    polygons_.clear();
+    components_->for_each_cover(mesh::face(h), [&](std::uint32_t polygon) { polygons_.push_back(polygon); });
+    return polygons_;
+  }
+
+  bool is_covered(const constraint::ExactTriangulation& triangulation, mesh::HalfEdge h) override {
+    return components_ == nullptr ? CoverFinder::is_covered(triangulation, h) : components_->is_covered(mesh::face(h));
+  }
+
+ private:
+  const Components* components_ = nullptr;
+  std::vector<std::uint32_t> polygons_;
 };
 
 }  // namespace waywright::nav

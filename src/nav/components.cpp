@@ -1,7 +1,11 @@
 #include "nav/components.hpp"
 
 #include <algorithm>
+#include <unordered_map>
+#include <utility>
 
+#include "constraint/cover_finder.hpp"
+#include "constraint/slot_sets.hpp"
 #include "memory/count.hpp"
 #include "nav/point_agent.hpp"
 
@@ -10,180 +14,143 @@ namespace waywright::nav {
 using mesh::Face;
 using mesh::HalfEdge;
 
-// update() works in four steps:
-// - It takes the changed faces out of their components.
-// - It divides the new faces into groups. A group is connected through new faces alone.
-// - It finds the pieces into which the change has divided the old components, and makes one component of each set of
-//   groups and pieces that are connected with each other.
-// - It updates the covers.
-void Components::update(const Triangulation& triangulation, const Changes& changes) {
-  const mesh::TriangleMesh& mesh = triangulation.topology();
-  make_room(mesh);
-  constexpr std::uint32_t kMarksToSpare = 0x40000000;  // one update uses fewer marks than this
-  if (next_mark_ > ~kMarksToSpare) {
-    marks_.clear();
-    next_mark_ = 1;
-  }
-  remove_changed_faces(changes.changed);
-  find_groups(mesh, changes.new_faces);
-  remove_from_covers(changes);
-  find_old_parts(mesh, changes.may_divide);
-  assign_components(mesh);
-  cover_new_groups(triangulation, changes);
-  cover_with_all(triangulation, changes.inserted);
-}
+namespace {
 
-void Components::update_in_open_space(const mesh::TriangleMesh& mesh, std::span<const Face> changed,
-                                      std::span<const Face> new_faces) {
-  make_room(mesh);
-  Id component = kNone;
-  std::uint32_t removed_count = 0;
-  for (const Face f : changed) {
-    if (ids_[number(f)] == kNone) continue;
-    component = ids_[number(f)];
-    ++removed_count;
-    set_id(f, kNone);
-  }
-  for (const Face f : new_faces) set_id(f, component);
-  Record record = records_[component];
-  record.size += static_cast<std::uint32_t>(new_faces.size()) - removed_count;
-  records_.write(component, record);
-}
+/// The nonzero winding numbers of polygons, in ascending order of their slots.
+using WindingNumbers = std::vector<std::pair<std::uint32_t, std::int32_t>>;
 
-void Components::make_room(const mesh::TriangleMesh& mesh) {
-  marks_.grow_to(mesh.face_slots());
-  ids_.grow_to(mesh.face_slots(), kNone);
-}
-
-/// Takes the changed faces out of their components. Frees a component that has no face left.
-void Components::remove_changed_faces(std::span<const Face> changed) {
-  may_have_connected_ = false;
-  Id open = kNone;  // a component that no polygon covers
-  Id id = kNone;
-  Record record;
-  const auto write = [&] {
-    if (id == kNone) return;
-    records_.write(id, record);
-    if (record.size == 0) free_record(id);
-  };
-  for (const Face f : changed) {
-    const Id own = ids_[number(f)];
-    if (own == kNone) continue;
-    set_id(f, kNone);
-    if (own != id) {
-      write();
-      id = own;
-      record = records_[own];
-      if (record.cover == CoverTree::kEmpty) {
-        may_have_connected_ = may_have_connected_ || (open != kNone && open != own);
-        open = own;
-      }
-    }
-    --record.size;
-  }
-  write();
-}
-
-/// Finds the groups of new faces and their old neighbours. An old face is a face that has not changed, and its edges
-/// have not changed, either. So if an old component has lost faces, each of its remaining pieces has a passage to a new
-/// face: each piece contains an old neighbour of a group.
-void Components::find_groups(const mesh::TriangleMesh& mesh, std::span<const Face> new_faces) {
-  groups_.clear();
-  group_sets_.clear();
-  regions_.clear();
-  faces_.clear();
-  old_neighbours_.clear();
-  const std::uint32_t no_group = next_mark_++;
-  group_mark_ = next_mark_;
-  for (const Face f : new_faces) set_mark(f, no_group);
-  for (const Face f : new_faces) {
-    if (mark(f) != no_group) continue;
-    const auto group = static_cast<std::uint32_t>(groups_.size());
-    const auto begin = static_cast<std::uint32_t>(faces_.size());
-    const std::uint32_t group_mark = next_mark_++;
-    group_sets_.push_back(group);
-    set_mark(f, group_mark);
-    faces_.push_back(f);
-    for (std::size_t i = begin; i < faces_.size(); ++i) {
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const HalfEdge h = mesh::half_edge(faces_[i], k);
-        if (!PointAgent::can_cross(mesh, h)) continue;
-        const Face other = mesh::face(mesh.twin(h));
-        if (ids_[number(other)] != kNone) {
-          old_neighbours_.push_back({ids_[number(other)], group, other});
-        } else if (mark(other) == no_group) {
-          set_mark(other, group_mark);
-          faces_.push_back(other);
-        }
-      }
-    }
-    groups_.push_back({begin, static_cast<std::uint32_t>(faces_.size())});
-  }
-  std::sort(old_neighbours_.begin(), old_neighbours_.end(), [](const OldNeighbour& a, const OldNeighbour& b) {
-    return a.component != b.component ? a.component < b.component : a.group < b.group;
+/// Returns the winding numbers in the face beyond `h`. `here` contains the winding numbers in the face of `h`.
+WindingNumbers numbers_beyond(const constraint::ExactTriangulation& triangulation, const WindingNumbers& here,
+                              HalfEdge h) {
+  WindingNumbers numbers = here;
+  triangulation.for_each_side(h, [&](const constraint::Side& side) {
+    if (!triangulation.items().is_polygon(side.item)) return;
+    numbers.emplace_back(side.item, constraint::runs_along(triangulation, side, h) ? -1 : 1);
   });
+  std::sort(numbers.begin(), numbers.end());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < numbers.size();) {
+    const std::uint32_t polygon = numbers[i].first;
+    std::int32_t sum = 0;
+    for (; i < numbers.size() && numbers[i].first == polygon; ++i) sum += numbers[i].second;
+    if (sum != 0) numbers[kept++] = {polygon, sum};
+  }
+  numbers.resize(kept);
+  return numbers;
 }
 
-// Makes one component of each set of connected groups and the old parts that they connect. An old part is either a
-// piece, whose faces a search has listed, or the rest of an old component after its pieces (OldPart). If the set has
-// such rests, the component takes the id of the largest of them.
-void Components::assign_components(const mesh::TriangleMesh& mesh) {
-  for (const OldPart& part : old_parts_) {
-    Group& group = groups_[root_of(group_sets_, part.group)];
-    if (part.is_piece || (group.id != kNone && part.size <= group.size)) continue;
-    group.id = part.component;
-    group.size = part.size;
-  }
-  for (Group& group : groups_) group.size = 0;
-  for (const OldPart& part : old_parts_) {
-    Group& group = groups_[root_of(group_sets_, part.group)];
-    if (group.id == kNone) group.id = add_record(0, records_[part.component].cover);
-    group.size += part.size;
-  }
-  for (const OldPart& part : old_parts_) move_to(mesh, part, groups_[root_of(group_sets_, part.group)].id);
-  for (std::uint32_t i = 0; i < groups_.size(); ++i) {
-    Group& group = groups_[i];
-    Group& first = groups_[root_of(group_sets_, i)];
-    first.size += group.end - group.begin;
-    group.id = first.id;
-    if (group.id == kNone) continue;
-    for (std::uint32_t k = group.begin; k < group.end; ++k) set_id(faces_[k], group.id);
-  }
-  for (std::uint32_t i = 0; i < groups_.size(); ++i) {
-    const Group& group = groups_[i];
-    if (group.id == kNone || root_of(group_sets_, i) != i) continue;
-    set_size(group.id, group.size);
-  }
-}
-
-void Components::move_to(const mesh::TriangleMesh& mesh, const OldPart& part, Id id) {
-  if (id == part.component) return;
-  if (part.is_piece) {
-    for (std::uint32_t i = part.begin; i < part.end; ++i) set_id(piece_faces_[i], id);
-    return;
-  }
-  stack_.clear();
-  const auto visit = [&](Face f) {
-    if (ids_[number(f)] != part.component) return;
-    set_id(f, id);
-    stack_.push_back(f);
+/// Lists the polygons that cover a face but not its neighbour, and those that cover the neighbour but not the face.
+/// `here` and `beyond` contain the winding numbers in the face and in its neighbour.
+void compare_covers(const constraint::ItemTable& items, const WindingNumbers& here, const WindingNumbers& beyond,
+                    std::vector<std::uint32_t>& removed, std::vector<std::uint32_t>& added) {
+  removed.clear();
+  added.clear();
+  auto to = beyond.begin();
+  const auto add = [&](const WindingNumbers::value_type& entry, std::vector<std::uint32_t>& list) {
+    if (items.covers(entry.first, entry.second)) list.push_back(entry.first);
   };
-  for (std::uint32_t i = part.begin; i < part.end; ++i) {
-    if (root_of(group_sets_, old_neighbours_[i].group) == root_of(group_sets_, part.group))
-      visit(old_neighbours_[i].face);
+  for (const auto& from : here) {
+    for (; to != beyond.end() && to->first < from.first; ++to) add(*to, added);
+    const bool was_covered = items.covers(from.first, from.second);
+    const bool is_in_both = to != beyond.end() && to->first == from.first;
+    const bool is_covered = is_in_both && items.covers(to->first, to->second);
+    if (was_covered != is_covered) (was_covered ? removed : added).push_back(from.first);
+    if (is_in_both) ++to;
   }
-  while (!stack_.empty()) {
-    const Face f = stack_.back();
-    stack_.pop_back();
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const HalfEdge h = mesh::half_edge(f, i);
-      if (PointAgent::can_cross(mesh, h)) visit(mesh::face(mesh.twin(h)));
+  for (; to != beyond.end(); ++to) add(*to, added);
+}
+
+/// Returns the components as trees: for each face in the domain, another face of its component, or itself for a root.
+/// Source: Galler and Fischer, *An improved equivalence algorithm*, CACM 1964.
+memory::Array<Components::Id> join_faces(const Components::Triangulation& triangulation) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  memory::Array<Components::Id> trees;
+  trees.reserve(memory::with_spare(mesh.face_slots()));
+  trees.resize(mesh.face_slots(), Components::kNone);
+  for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!triangulation.triangulation().is_in_domain(Face{f})) continue;
+    trees[f] = f;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdge h{3 * f + k};
+      const Face other = mesh::face(mesh.twin(h));
+      if (number(other) < f && PointAgent::can_cross(mesh, h)) unite(trees, f, number(other));
     }
   }
-  free_record(part.component);
+  return trees;
 }
 
-Components::Id Components::add_record(std::uint32_t size, Set cover) {
+/// A half-edge on a wall between two components. Its face is in `component`, or is a ghost face: then `component` is
+/// kNone.
+struct SeparatingWall {
+  Components::Id component;
+  mesh::HalfEdge h;
+};
+
+std::vector<SeparatingWall> find_separating_walls(const Components& components, const mesh::TriangleMesh& mesh) {
+  std::vector<SeparatingWall> walls;
+  for (std::uint32_t i = 0; i < 3 * mesh.face_slots(); ++i) {
+    const HalfEdge h{i};
+    if (!mesh.is_live(mesh::face(h)) || PointAgent::can_cross(mesh, h)) continue;
+    const Components::Id beyond = components.component_of(mesh::face(mesh.twin(h)));
+    if (beyond != Components::kNone && beyond != components.component_of(mesh::face(h)))
+      walls.push_back({components.component_of(mesh::face(h)), h});
+  }
+  std::sort(walls.begin(), walls.end(),
+            [](const SeparatingWall& a, const SeparatingWall& b) { return a.component < b.component; });
+  return walls;
+}
+
+}  // namespace
+
+// Builds the components from scratch: first trees of connected faces, then a component of each tree.
+Components::Components(const Triangulation& triangulation) {
+  memory::Array<Id> ids = join_faces(triangulation);
+  number_components(ids);
+  ids_ = memory::JournaledArray<Id>(std::move(ids));
+  if (triangulation.items().has_polygons()) cover_components(triangulation);
+  begin();
+}
+
+/// Makes a component of each tree in `ids`, and replaces each entry by the id of its face's component.
+void Components::number_components(memory::Array<Id>& ids) {
+  for (std::uint32_t f = 0; f < ids.size(); ++f) {
+    if (ids[f] == kNone) continue;
+    const bool is_first = ids[f] == f;
+    ids[f] = is_first ? add(0, CoverTree::kEmpty) : ids[ids[f]];
+    ++records_.unrecorded(ids[f]).size;
+  }
+}
+
+/// Computes the covers, component by component, from outside the domain inwards. If the world has nonzero polygons,
+/// `known` keeps the winding numbers of each component until the loop has handled the neighbours of that component.
+void Components::cover_components(const Triangulation& triangulation) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const bool has_nonzero = triangulation.items().has_nonzero_polygons();
+  const std::vector<SeparatingWall> walls = find_separating_walls(*this, mesh);
+  std::vector<bool> is_known(records_.size());
+  std::vector<std::pair<Id, WindingNumbers>> known(1, {kNone, {}});
+  const auto comes_before = [](const SeparatingWall& wall, Id component) { return wall.component < component; };
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const auto [component, here] = std::move(known[i]);
+    auto wall = std::lower_bound(walls.begin(), walls.end(), component, comes_before);
+    for (; wall != walls.end() && wall->component == component; ++wall) {
+      const Id beyond = component_of(mesh::face(mesh.twin(wall->h)));
+      if (is_known[beyond]) continue;
+      is_known[beyond] = true;
+      known.emplace_back(beyond, has_nonzero ? numbers_beyond(triangulation, here, wall->h) : WindingNumbers());
+      if (!has_nonzero) {
+        set_cover(beyond, cover_beyond(triangulation, wall->h, {}));
+      } else {
+        compare_covers(triangulation.items(), here, known.back().second, removed_, added_);
+        const Set cover = component == kNone ? CoverTree::kEmpty : records_[component].cover;
+        set_cover(beyond, covers_.change(cover, removed_, added_));
+      }
+      begin();  // empties the logs: there is no earlier state to go back to
+    }
+  }
+}
+
+Components::Id Components::add(std::uint32_t size, Set cover) {
   auto id = static_cast<Id>(records_.size());
   if (free_records_.is_empty()) {
     records_.append({size});
@@ -204,13 +171,126 @@ void Components::set_size(Id component, std::uint32_t size) {
   records_.write(component, record);
 }
 
-void Components::free_record(Id component) {
+void Components::remove(Id component) {
   const Set cover = records_[component].cover;
   unlink_cover(component);
   covers_.free_unused(cover);
   records_.write(component, {free_records_.first()});
   (void)free_records_.push(component);
   ++free_count_;
+}
+
+void Components::remove_from_covers(std::span<const std::uint32_t> polygons) {
+  for (const std::uint32_t polygon : polygons) {
+    while (covers_.is_used(polygon)) {
+      const Set node = covers_.first_node(polygon);
+      const Id component = covers_.first_component(node);
+      if (component == kNone) {
+        covers_.remove(node);
+      } else {
+        set_cover(component, covers_.parent(node));
+      }
+    }
+  }
+}
+
+void Components::set_cover(Id component, Set cover) {
+  const Set old = records_[component].cover;
+  if (old == cover) return;
+  unlink_cover(component);
+  link_cover(component, cover);
+  covers_.free_unused(old);
+}
+
+/// Sets the cover of a component without a cover.
+void Components::link_cover(Id component, Set cover) {
+  if (cover == CoverTree::kEmpty) return;
+  const Id next = covers_.first_component(cover);
+  if (next != kNone) {
+    Record record = records_[next];
+    record.previous = component;
+    records_.write(next, record);
+  }
+  records_.write(component, {records_[component].size, cover, next, kNone});
+  covers_.set_first_component(cover, component);
+}
+
+/// Makes the cover of a component empty. The old cover may then be unused.
+void Components::unlink_cover(Id component) {
+  const Record old = records_[component];
+  if (old.cover == CoverTree::kEmpty) return;
+  if (old.previous == kNone) {
+    covers_.set_first_component(old.cover, old.next);
+  } else {
+    Record record = records_[old.previous];
+    record.next = old.next;
+    records_.write(old.previous, record);
+  }
+  if (old.next != kNone) {
+    Record record = records_[old.next];
+    record.previous = old.previous;
+    records_.write(old.next, record);
+  }
+  records_.write(component, {old.size});
+}
+
+// A component stores only which polygons cover
+// it, not their winding numbers. Two facts decide whether a polygon covers the face beyond an edge: whether it covers
+// the face in front of the edge, and which of its sides lie on the edge. The exception is a nonzero polygon that covers
+// the face in front and whose winding number changes across the edge. For such a polygon, winding_number() computes the
+// winding number along a chain of faces that leads out of the domain.
+Components::Set Components::cover_beyond(const Triangulation& triangulation, HalfEdge h,
+                                         std::span<const std::uint32_t> inserted) {
+  const Id neighbour = component_of(mesh::face(h));
+  const Set cover = neighbour == kNone ? CoverTree::kEmpty : records_[neighbour].cover;
+  polygons_.clear();
+  triangulation.for_each_side(h, [&](const constraint::Side& side) {
+    if (triangulation.items().is_polygon(side.item) &&
+        !std::binary_search(inserted.begin(), inserted.end(), side.item)) {
+      polygons_.push_back(side.item);
+    }
+  });
+  removed_.clear();
+  added_.clear();
+  std::sort(polygons_.begin(), polygons_.end());
+  covers_.find_contained(cover, polygons_, contained_);
+  constraint::keep_each_if(polygons_, [&](std::uint32_t polygon, std::size_t count) {
+    const bool is_here = std::binary_search(contained_.begin(), contained_.end(), polygon);
+    bool is_beyond = is_here;
+    if (triangulation.items().fill(polygon) == FillRule::even_odd) {
+      is_beyond = is_here != (count % 2 == 1);
+    } else if (constraint::Winding<FillRule::nonzero>(triangulation, polygon).changes_across(h)) {
+      is_beyond = !is_here || constraint::winding_number(triangulation, triangulation.topology().twin(h), polygon) != 0;
+    }
+    if (is_here != is_beyond) (is_here ? removed_ : added_).push_back(polygon);
+    return false;
+  });
+  return covers_.change(cover, removed_, added_);
+}
+
+std::optional<std::string> Components::find_difference(const Components& other, std::span<const Face> faces) const {
+  if (count() != other.count()) return "the abstraction has another number of components";
+  std::unordered_map<Id, Id> names;
+  std::vector<std::uint32_t> cover;
+  std::vector<std::uint32_t> other_cover;
+  for (const Face f : faces) {
+    const auto [name, is_new] = names.emplace(component_of(f), other.component_of(f));
+    const std::string where = "face " + std::to_string(number(f));
+    if (name->second != other.component_of(f)) return where + " is in another component";
+    if (!is_new) continue;
+    if (size(component_of(f)) != other.size(other.component_of(f)))
+      return "the component of " + where + " has another size";
+    cover.clear();
+    other_cover.clear();
+    for_each_cover(f, [&](std::uint32_t item) { cover.push_back(item); });
+    other.for_each_cover(f, [&](std::uint32_t item) { other_cover.push_back(item); });
+    std::sort(cover.begin(), cover.end());
+    std::sort(other_cover.begin(), other_cover.end());
+    if (cover != other_cover) return "the component of " + where + " is covered by other polygons";
+  }
+  // There are as many names as components, so no two components share a name.
+  if (names.size() != count()) return "the abstraction misses a component";
+  return std::nullopt;
 }
 
 void Components::begin() {
@@ -231,27 +311,16 @@ void Components::roll_back() {
 
 void Components::count_memory(MemoryUse& use) const {
   ids_.count_memory(use, &MemoryUse::abstraction);
-  marks_.count_memory(use, &MemoryUse::abstraction);
   records_.count_memory(use, &MemoryUse::abstraction);
   covers_.count_memory(use, &MemoryUse::abstraction);
-  memory::count_spare(use, faces_, groups_, group_sets_, regions_, old_neighbours_, searches_, search_sets_,
-                      alternating_, old_parts_, piece_faces_, stack_, flooded_, reached_, around_, sides_, polygons_,
-                      contained_, removed_, added_, to_cover_, enclosed_, covered_, edges_, outline_.corners,
-                      outline_.ring_ends);
-  for (const Search& search : searches_) memory::count_spare(use, search.found);
-  for (const constraint::SlotSet* const set : {&are_in_covers_, &touching_, &tested_, &is_enclosed_})
-    set->count_spare(use);
+  memory::count_spare(use, polygons_, contained_, removed_, added_);
 }
 
 void Components::shrink_to_fit() {
   ids_.shrink_to_fit();
   records_.shrink_to_fit();
-  marks_.shrink_to_fit();
   covers_.shrink_to_fit();
-  memory::release(faces_, groups_, group_sets_, regions_, old_neighbours_, searches_, search_sets_, alternating_,
-                  old_parts_, piece_faces_, stack_, flooded_, reached_, around_, sides_, polygons_, contained_,
-                  removed_, added_, to_cover_, enclosed_, covered_, edges_, outline_.corners, outline_.ring_ends);
-  for (constraint::SlotSet* const set : {&are_in_covers_, &touching_, &tested_, &is_enclosed_}) set->release();
+  memory::release(polygons_, contained_, removed_, added_);
 }
 
 }  // namespace waywright::nav

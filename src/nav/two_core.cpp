@@ -152,4 +152,45 @@ void TwoCore::peel_from(const mesh::TriangleMesh& mesh, Face f) {
   }
 }
 
+std::optional<std::string> TwoCore::find_difference(const mesh::TriangleMesh& mesh, const TwoCore& other,
+                                                    std::span<const Face> faces) const {
+  std::unordered_map<std::uint32_t, std::uint32_t> roots;  // maps the roots of `other` to the roots of this
+  const std::vector<Face> tops = this->tops(mesh, faces);
+  const std::vector<Face> other_tops = other.tops(mesh, faces);
+  for (const Face f : faces) {
+    const std::string where = "face " + std::to_string(number(f));
+    if (is_core(f) != other.is_core(f)) return where + (is_core(f) ? " is not of the core" : " is of the core");
+    if ((states_[number(f)] & kPassages) != (other.states_[number(f)] & kPassages))
+      return where + " has other passages";
+    if (is_core(f)) continue;
+    const Face root = tops[number(f)];
+    const Face other_root = other_tops[number(f)];
+    if (is_core(root) || other.is_core(other_root)) {
+      if (towards_core(f) != other.towards_core(f)) return where + " leads elsewhere than towards the core";
+    } else if (towards_core(root) != mesh::kNoHalfEdge) {
+      return where + " leads round and round";
+    } else if (roots.emplace(number(other_root), number(root)).first->second != number(root)) {
+      return where + " leads to a second root";
+    }
+  }
+  return std::nullopt;
+}
+
+/// Returns, by face slot, the last face of the chain that towards_core() makes from each face: a face of the core or a
+/// root. If a chain runs in a circle, the result is a face of that circle.
+std::vector<Face> TwoCore::tops(const mesh::TriangleMesh& mesh, std::span<const Face> faces) const {
+  constexpr Face kUnknown{0xffffffff};
+  std::vector<Face> tops(states_.size(), kUnknown);
+  std::vector<Face> chain;
+  for (Face f : faces) {
+    for (chain.clear(); tops[number(f)] == kUnknown; f = mesh::face(mesh.twin(towards_core(f)))) {
+      chain.push_back(f);
+      tops[number(f)] = f;
+      if (is_core(f) || towards_core(f) == mesh::kNoHalfEdge) break;
+    }
+    for (const Face below : chain) tops[number(below)] = tops[number(f)];
+  }
+  return tops;
+}
+
 }  // namespace waywright::nav

@@ -7,7 +7,6 @@
 
 #include "constraint/cover_finder.hpp"
 #include "nav/abstraction.hpp"
-#include "nav/component_cover_finder.hpp"
 #include "path/free_positions.hpp"
 
 namespace waywright::path {

@@ -13,7 +13,7 @@
 #include "base/float_environment.hpp"
 #include "base/ieee.hpp"
 #include "constraint/slot_sets.hpp"
-#include "nav/component_cover_finder.hpp"
+#include "nav/abstraction.hpp"
 #include "nav/point_agent.hpp"
 #include "path/ends.hpp"
 #include "path/pieces.hpp"

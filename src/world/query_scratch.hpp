@@ -15,7 +15,7 @@
 #include "clearance/widest_gap.hpp"
 #include "constraint/canonical.hpp"
 #include "constraint/item_queries.hpp"
-#include "nav/component_cover_finder.hpp"
+#include "nav/abstraction.hpp"
 #include "path/disc_channel.hpp"
 #include "path/disc_ends.hpp"
 #include "path/disc_guide.hpp"

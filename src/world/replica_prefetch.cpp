@@ -76,10 +76,10 @@ void ReplicaPrefetch::advance_spokes(const Triangulation& replica, const nav::Ab
     mesh.prefetch(beyond);
     mesh.prefetch_label(h);
     if (abstraction != nullptr) {
-      abstraction->components().prefetch(mesh::face(h));
+      abstraction->prefetch_component_of(mesh::face(h));
       abstraction->core().prefetch(mesh::face(h));
       abstraction->components().prefetch_component(spoke.before);
-      abstraction->components().prefetch(mesh::face(beyond));
+      abstraction->prefetch_component_of(mesh::face(beyond));
     }
     spoke.before = mesh::face(h);
     spoke.h = mesh.next_around(h);

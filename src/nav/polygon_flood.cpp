@@ -1,17 +1,17 @@
+#include "nav/polygon_flood.hpp"
+
 #include <algorithm>
 #include <utility>
-#include <vector>
 
-#include "constraint/cover_finder.hpp"
-#include "nav/components.hpp"
+#include "constraint/slot_sets.hpp"
+#include "memory/count.hpp"
 
-// Adds an inserted polygon to the covers of the components inside it. The code starts at the faces along the boundary
-// of the polygon and floods the faces inside. A polygon is *enclosed* if it lies inside the inserted polygon, does not
-// touch its boundary, and both have one ring. The code does not flood polygons that are enclosed: in the tree of covers
-// (CoverTree), a node represents the set of its parent and one more polygon, which it *adds*. The code gives a new
-// parent to the nodes that add an enclosed polygon to the set of their parent. The new parent adds the inserted
-// polygon. So the cost of a polygon around other polygons depends only on the faces that no enclosed polygon covers,
-// however many polygons are enclosed.
+// The flood starts at the faces along the boundary of the polygon. A polygon is *enclosed* if it lies inside the
+// inserted polygon, does not touch its boundary, and both have one ring. The code does not flood polygons that are
+// enclosed: in the tree of covers (CoverTree), a node represents the set of its parent and one more polygon, which it
+// *adds*. The code gives a new parent to the nodes that add an enclosed polygon to the set of their parent. The new
+// parent adds the inserted polygon. So the cost of a polygon around other polygons depends only on the faces that no
+// enclosed polygon covers, however many polygons are enclosed.
 
 namespace waywright::nav {
 
@@ -131,30 +131,35 @@ class WindingOfSides {
 /// Adds the inserted polygons to the covers. If a polygon encloses another one, its first corner comes first in (x, y)
 /// order. So the function begins with the polygon whose first corner comes last: then the covers contain all enclosed
 /// polygons before it handles the polygon around them.
-void Components::cover_with_all(const Triangulation& triangulation, std::span<const std::uint32_t> inserted) {
+void PolygonFlood::cover_with_all(Components& components, FaceMarks& marks,
+                                  const constraint::ExactTriangulation& triangulation,
+                                  std::span<const std::uint32_t> inserted) {
+  components_ = &components;
+  marks_ = &marks;
+  triangulation_ = &triangulation;
+  inserted_ = inserted;
   are_in_covers_.clear();
   to_cover_.clear();
   for (const std::uint32_t polygon : inserted) {
-    triangulation.items().outline(polygon, outline_);
-    to_cover_.push_back({outline_.corners[first_corner(triangulation, outline_.corners)], polygon});
+    triangulation_->items().outline(polygon, outline_);
+    to_cover_.push_back({outline_.corners[first_corner(*triangulation_, outline_.corners)], polygon});
   }
   std::sort(to_cover_.begin(), to_cover_.end(), [&](const ToCover& p, const ToCover& q) {
-    return p.first_corner != q.first_corner ? triangulation.triangulation().comes_before(q.first_corner, p.first_corner)
-                                            : p.polygon < q.polygon;
+    return p.first_corner != q.first_corner
+               ? triangulation_->triangulation().comes_before(q.first_corner, p.first_corner)
+               : p.polygon < q.polygon;
   });
   for (const ToCover& next : to_cover_) {
-    cover_with(triangulation, next, inserted);
+    cover_with(next);
     are_in_covers_.insert(next.polygon);
   }
 }
 
-/// Adds a polygon to the cover of each component that lies inside it, by its fill rule. `inserted` lists all inserted
-/// polygons, ascending. The covers already contain those of them that are in `are_in_covers_`.
-void Components::cover_with(const Triangulation& triangulation, const ToCover& next,
-                            std::span<const std::uint32_t> inserted) {
+/// Adds a polygon to the cover of each component that lies inside it, by its fill rule. Of the inserted polygons, the
+/// covers already contain those in `are_in_covers_`.
+void PolygonFlood::cover_with(const ToCover& next) {
   covering_ = next.polygon;
-  inserted_ = inserted;
-  flood_ = next_mark_++;
+  flood_ = marks_->next();
   stack_.clear();
   flooded_.clear();
   enclosed_.clear();
@@ -162,34 +167,34 @@ void Components::cover_with(const Triangulation& triangulation, const ToCover& n
   tested_.clear();
   is_enclosed_.clear();
   knows_touching_ = false;
-  constraint::with_winding(triangulation, next.polygon, [&](const auto& winding_of_all) {
-    const WindingOfSides winding(triangulation, winding_of_all, edges_);
-    visit_boundary(triangulation, winding, next.first_corner);
-    cover_at_boundary_ = flooded_.empty() ? CoverTree::kEmpty : records_[flooded_.front()].cover;
-    flood(triangulation, winding);
+  constraint::with_winding(*triangulation_, next.polygon, [&](const auto& winding_of_all) {
+    const WindingOfSides winding(*triangulation_, winding_of_all, edges_);
+    visit_boundary(winding, next.first_corner);
+    cover_at_boundary_ = flooded_.empty() ? CoverTree::kEmpty : components_->cover(flooded_.front());
+    flood(winding);
     for (std::size_t i = 0; i < enclosed_.size(); ++i) {
-      visit_around(triangulation, enclosed_[i]);
-      flood(triangulation, winding);
+      visit_around(enclosed_[i]);
+      flood(winding);
     }
   });
   add_to_covers();
 }
 
-void Components::visit(Face f) {
-  if (mark(f) == flood_) return;
-  set_mark(f, flood_);
+void PolygonFlood::visit(Face f) {
+  if (marks_->get(f) == flood_) return;
+  marks_->set(f, flood_);
   stack_.push_back(f);
-  const Id id = ids_[number(f)];
+  const Components::Id id = components_->component_of(f);
   if (flooded_.empty() || flooded_.back() != id) flooded_.push_back(id);
 }
 
 /// Visits the faces inside the polygon along its sides. `first_of_all` is the first corner of the polygon in (x, y)
 /// order.
 template <class Winding>
-void Components::visit_boundary(const Triangulation& triangulation, const Winding& winding, mesh::Vertex first_of_all) {
-  triangulation.items().outline(covering_, outline_);
+void PolygonFlood::visit_boundary(const Winding& winding, mesh::Vertex first_of_all) {
+  triangulation_->items().outline(covering_, outline_);
   sides_.clear();
-  triangulation.items().for_each_side(covering_, [&](std::uint32_t slot) { sides_.push_back(slot); });
+  triangulation_->items().for_each_side(covering_, [&](std::uint32_t slot) { sides_.push_back(slot); });
   may_enclose_ = outline_.ring_ends.size() == 1;
   std::size_t ring_begin = 0;
   std::size_t sides_begin = 0;
@@ -203,15 +208,16 @@ void Components::visit_boundary(const Triangulation& triangulation, const Windin
       continue;  // there are the same faces along both rings
     }
     last_ring = ring;
-    const std::size_t first = first_corner(triangulation, ring);
-    HalfEdge h = outer_half_edge(triangulation, outline_.corners[ring_begin + first]);
+    const std::size_t first = first_corner(*triangulation_, ring);
+    HalfEdge h = outer_half_edge(outline_.corners[ring_begin + first]);
     // The origin of `h` is the ring's first corner in (x, y) order. By outer_half_edge(), the positions directly on the
     // right of `h` come before this corner or lie outside the domain. So the face on the right of `h` lies outside this
     // ring. If the polygon has only this ring, the winding number in that face is 0. If it has several rings, this ring
     // may lie inside another one.
-    std::int32_t here = may_enclose_ ? winding.across(h) : winding_number(triangulation, h, covering_, first_of_all);
+    std::int32_t here =
+        may_enclose_ ? winding.across(h) : constraint::winding_number(*triangulation_, h, covering_, first_of_all);
     for (std::size_t i = 0; count > 1 && i < count; ++i) {
-      visit_inner_faces(triangulation, winding, sides_[sides_begin + (first + i) % count], h, here,
+      visit_inner_faces(*triangulation_, winding, sides_[sides_begin + (first + i) % count], h, here,
                         [&](Face f) { visit(f); });
     }
     ring_begin = ring_end;
@@ -220,14 +226,14 @@ void Components::visit_boundary(const Triangulation& triangulation, const Windin
 }
 
 template <class Winding>
-void Components::flood(const Triangulation& triangulation, const Winding& winding) {
-  const mesh::TriangleMesh& mesh = triangulation.topology();
+void PolygonFlood::flood(const Winding& winding) {
+  const mesh::TriangleMesh& mesh = triangulation_->topology();
   while (!stack_.empty()) {
     const Face f = stack_.back();
     stack_.pop_back();
     for (std::uint32_t k = 0; k < 3; ++k) {
       const HalfEdge h = mesh::half_edge(f, k);
-      if (!mesh.is_fixed(h) || (!winding.changes_across(h) && !is_on_enclosed(triangulation, h))) {
+      if (!mesh.is_fixed(h) || (!winding.changes_across(h) && !is_on_enclosed(h))) {
         visit(mesh::face(mesh.twin(h)));
       }
     }
@@ -235,12 +241,12 @@ void Components::flood(const Triangulation& triangulation, const Winding& windin
 }
 
 /// Whether a side of an enclosed polygon lies on the edge.
-bool Components::is_on_enclosed(const Triangulation& triangulation, HalfEdge h) {
+bool PolygonFlood::is_on_enclosed(HalfEdge h) {
   if (!may_enclose_) return false;
   bool is_found = false;
-  triangulation.for_each_side(h, [&](const Side& side) {
-    if (!triangulation.items().is_polygon(side.item) || side.item == covering_) return;
-    is_found = is_enclosed(triangulation, side.item) || is_found;
+  triangulation_->for_each_side(h, [&](const Side& side) {
+    if (!triangulation_->items().is_polygon(side.item) || side.item == covering_) return;
+    is_found = is_enclosed(side.item) || is_found;
   });
   return is_found;
 }
@@ -248,12 +254,12 @@ bool Components::is_on_enclosed(const Triangulation& triangulation, HalfEdge h) 
 /// Whether a polygon is enclosed. Requires: it has a side inside the polygon `covering_`. If both polygons have one
 /// ring, the boundary of each is one connected curve. So if the boundaries do not touch, all of `polygon` lies inside
 /// `covering_`.
-bool Components::is_enclosed(const Triangulation& triangulation, std::uint32_t polygon) {
+bool PolygonFlood::is_enclosed(std::uint32_t polygon) {
   if (!tested_.insert(polygon)) return is_enclosed_.contains(polygon);
-  if (!knows_touching_) collect_touching(triangulation);
+  if (!knows_touching_) collect_touching();
   const bool is_in_covers =
       are_in_covers_.contains(polygon) || !std::binary_search(inserted_.begin(), inserted_.end(), polygon);
-  if (!may_enclose_ || !is_in_covers || touching_.contains(polygon) || !triangulation.items().has_one_ring(polygon)) {
+  if (!may_enclose_ || !is_in_covers || touching_.contains(polygon) || !triangulation_->items().has_one_ring(polygon)) {
     return false;
   }
   is_enclosed_.insert(polygon);
@@ -263,21 +269,21 @@ bool Components::is_enclosed(const Triangulation& triangulation, std::uint32_t p
 
 /// Collects the polygons with a side or corner on the boundary of the polygon. If very many sides lie there, the search
 /// for enclosed polygons would cost more than it saves. Then the function gives up this search.
-void Components::collect_touching(const Triangulation& triangulation) {
-  const mesh::TriangleMesh& mesh = triangulation.topology();
+void PolygonFlood::collect_touching() {
+  const mesh::TriangleMesh& mesh = triangulation_->topology();
   knows_touching_ = true;
   std::size_t budget = 256 + 64 * sides_.size();
   const auto add = [&](std::uint32_t item) {
-    if (triangulation.items().is_polygon(item) && budget > 0) touching_.insert(item);
+    if (triangulation_->items().is_polygon(item) && budget > 0) touching_.insert(item);
     budget -= budget > 0 ? 1 : 0;
   };
   for (const std::uint32_t slot : sides_) {
     if (budget == 0) break;
-    follow_side(triangulation, slot, [&](HalfEdge along) {
+    follow_side(*triangulation_, slot, [&](HalfEdge along) {
       if (budget == 0) return;
-      triangulation.uses().for_each(triangulation.corner_uses(mesh.origin(along)), add);
+      triangulation_->uses().for_each(triangulation_->corner_uses(mesh.origin(along)), add);
       mesh.for_each_outgoing(mesh.origin(along), [&](HalfEdge h) {
-        triangulation.for_each_side(h, [&](const Side& side) { add(side.item); });
+        triangulation_->for_each_side(h, [&](const Side& side) { add(side.item); });
       });
     });
   }
@@ -286,28 +292,30 @@ void Components::collect_touching(const Triangulation& triangulation) {
 
 /// Visits the faces along the sides of an enclosed polygon, if no enclosed polygon covers them. Enclosed polygons can
 /// separate such a face from all faces that the flood has reached. Only this function finds it.
-void Components::visit_around(const Triangulation& triangulation, std::uint32_t enclosed) {
-  Id last = kNone;
+void PolygonFlood::visit_around(std::uint32_t enclosed) {
+  Components::Id last = Components::kNone;
   const auto visit_if_not_enclosed = [&](Face f) {
-    if (ids_[number(f)] == kNone || ids_[number(f)] == last) return;
-    if (is_covered_by_enclosed(records_[ids_[number(f)]].cover)) {
-      last = ids_[number(f)];
+    if (components_->component_of(f) == Components::kNone || components_->component_of(f) == last) return;
+    if (is_covered_by_enclosed(components_->cover(components_->component_of(f)))) {
+      last = components_->component_of(f);
     } else {
       visit(f);
     }
   };
-  triangulation.items().for_each_side(enclosed, [&](std::uint32_t slot) {
-    follow_side(triangulation, slot, [&](HalfEdge h) {
+  triangulation_->items().for_each_side(enclosed, [&](std::uint32_t slot) {
+    follow_side(*triangulation_, slot, [&](HalfEdge h) {
       visit_if_not_enclosed(mesh::face(h));
-      visit_if_not_enclosed(mesh::face(triangulation.topology().twin(h)));
+      visit_if_not_enclosed(mesh::face(triangulation_->topology().twin(h)));
     });
   });
 }
 
 // No enclosed polygon covers a face at the boundary of the polygon `covering_`, so the search ends at the cover of such
 // a face. Hence the cost does not depend on the number of polygons that cover `covering_`.
-bool Components::is_covered_by_enclosed(Set cover) const {
-  return covers_.has_any(cover, cover_at_boundary_, [&](std::uint32_t p) { return is_enclosed_.contains(p); });
+bool PolygonFlood::is_covered_by_enclosed(Set cover) const {
+  return std::as_const(*components_).covers().has_any(cover, cover_at_boundary_, [&](std::uint32_t p) {
+    return is_enclosed_.contains(p);
+  });
 }
 
 /// Changes two kinds of references: the cover of each flooded component that no enclosed polygon covers, and the parent
@@ -315,16 +323,16 @@ bool Components::is_covered_by_enclosed(Set cover) const {
 /// is such a cover or the set of such a parent, the function makes one new node, which adds the inserted polygon to
 /// this set. The references then refer to the new node. So all descendants of a moved node get the inserted polygon,
 /// too.
-void Components::add_to_covers() {
+void PolygonFlood::add_to_covers() {
   constraint::keep_one_of_each(flooded_);
   covered_.clear();
-  for (const Id id : flooded_) {
-    const Set cover = records_[id].cover;
+  for (const Components::Id id : flooded_) {
+    const Set cover = components_->cover(id);
     if (enclosed_.empty() || !is_covered_by_enclosed(cover)) covered_.push_back({cover, id, false});
   }
   for (const std::uint32_t polygon : enclosed_) {
-    covers_.for_each_node(polygon, [&](Set node) {
-      const Set parent = covers_.parent(node);
+    components_->covers().for_each_node(polygon, [&](Set node) {
+      const Set parent = components_->covers().parent(node);
       if (!is_covered_by_enclosed(parent)) covered_.push_back({parent, node, true});
     });
   }
@@ -333,13 +341,33 @@ void Components::add_to_covers() {
   Set added = CoverTree::kEmpty;
   for (std::size_t i = 0; i < covered_.size(); ++i) {
     const auto [set, index, is_node] = covered_[i];
-    if (i == 0 || set != covered_[i - 1].set) added = covers_.add(set, covering_);
+    if (i == 0 || set != covered_[i - 1].set) added = components_->covers().add(set, covering_);
     if (is_node) {
-      covers_.move(index, added);
+      components_->covers().move(index, added);
     } else {
-      set_cover(index, added);
+      components_->set_cover(index, added);
     }
   }
+}
+
+/// Returns a half-edge that starts at `v`, in a face in the domain. The positions directly to the right of this
+/// half-edge come before `v` in (x, y) order, or lie outside the domain.
+HalfEdge PolygonFlood::outer_half_edge(mesh::Vertex v) {
+  constraint::faces_at(*triangulation_, {locate::LocatedKind::vertex, triangulation_->topology().outgoing(v)}, around_);
+  return around_.front();
+}
+
+void PolygonFlood::count_memory(MemoryUse& use) const {
+  memory::count_spare(use, stack_, flooded_, around_, sides_, to_cover_, enclosed_, covered_, edges_, outline_.corners,
+                      outline_.ring_ends);
+  for (const constraint::SlotSet* const set : {&are_in_covers_, &touching_, &tested_, &is_enclosed_})
+    set->count_spare(use);
+}
+
+void PolygonFlood::release() {
+  memory::release(stack_, flooded_, around_, sides_, to_cover_, enclosed_, covered_, edges_, outline_.corners,
+                  outline_.ring_ends);
+  for (constraint::SlotSet* const set : {&are_in_covers_, &touching_, &tested_, &is_enclosed_}) set->release();
 }
 
 }  // namespace waywright::nav
