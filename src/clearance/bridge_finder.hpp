@@ -8,7 +8,6 @@
 
 #include "base/compiler.hpp"
 #include "clearance/changed_walls.hpp"
-#include "clearance/diameter.hpp"
 #include "clearance/disc.hpp"
 #include "clearance/wall_tree.hpp"
 #include "constraint/distances.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "clearance/bridge_items.hpp"
+#include "clearance/walls.hpp"
 #include "constraint/boxes.hpp"
 
 namespace waywright::clearance {

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "clearance/wall_line.hpp"
+#include "clearance/walls.hpp"
 #include "memory/count.hpp"
 
 namespace waywright::clearance {

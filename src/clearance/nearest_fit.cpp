@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/ieee.hpp"
-#include "clearance/wall_line.hpp"
+#include "clearance/walls.hpp"
 #include "constraint/distances.hpp"
 #include "exact/filter.hpp"
 #include "exact/gap.hpp"

@@ -6,7 +6,7 @@
 
 #include "waywright/point.hpp"
 
-#include "clearance/disc_reach.hpp"
+#include "clearance/disc_passage.hpp"
 #include "clearance/near_walls.hpp"
 #include "clearance/offset_curve.hpp"
 #include "constraint/cover_finder.hpp"

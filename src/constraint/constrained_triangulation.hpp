@@ -268,4 +268,14 @@ class ConstrainedTriangulation {
 /// The triangulation of a World.
 using ExactTriangulation = ConstrainedTriangulation;
 
+/// Whether a side that lies on the edge of `h` runs in the direction of `h`. If it does, and its ring is
+/// counter-clockwise, the inside of the ring is left of `h`. The side and the edge lie on one line, so the (x, y) order
+/// of their ends says whether they have the same direction.
+[[nodiscard]] inline bool runs_along(const ConstrainedTriangulation& triangulation, const Side& side,
+                                     mesh::HalfEdge h) {
+  const mesh::TriangleMesh& mesh = triangulation.topology();
+  const auto& delaunay = triangulation.triangulation();
+  return delaunay.comes_before(side.from, side.to) == delaunay.comes_before(mesh.origin(h), mesh.target(h));
+}
+
 }  // namespace waywright::constraint

@@ -72,14 +72,6 @@ void faces_at(const ExactTriangulation& triangulation, const locate::Located& lo
 // side changes the parity, whatever its direction. So the code never reads the directions of the sides of an even-odd
 // polygon.
 
-/// Whether a side that lies on the edge of `h` runs in the direction of `h`. If it does, and its ring is
-/// counter-clockwise, the inside of the ring is left of `h`.
-[[nodiscard]] inline bool runs_along(const ExactTriangulation& triangulation, const Side& side, mesh::HalfEdge h) {
-  const mesh::TriangleMesh& mesh = triangulation.topology();
-  const auto& delaunay = triangulation.triangulation();
-  return delaunay.comes_before(side.from, side.to) == delaunay.comes_before(mesh.origin(h), mesh.target(h));
-}
-
 /// The winding numbers of one polygon; for an even-odd polygon only their parity counts. Each fill rule has its own
 /// code, because most polygons are even-odd and their code is faster.
 template <FillRule rule>

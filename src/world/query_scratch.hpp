@@ -12,7 +12,7 @@
 #include "clearance/disc_passage.hpp"
 #include "clearance/near_walls.hpp"
 #include "clearance/nearest_fit.hpp"
-#include "clearance/widest_gap.hpp"
+#include "clearance/widest.hpp"
 #include "constraint/canonical.hpp"
 #include "constraint/item_queries.hpp"
 #include "nav/abstraction.hpp"

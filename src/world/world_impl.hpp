@@ -12,7 +12,7 @@
 #include "waywright/world.hpp"
 
 #include "clearance/clearance.hpp"
-#include "clearance/widest_gap.hpp"
+#include "clearance/widest.hpp"
 #include "constraint/batch.hpp"
 #include "constraint/exact_triangulation.hpp"
 #include "nav/abstraction.hpp"

@@ -10,7 +10,7 @@
 #include "waywright/world.hpp"
 
 #include "base/float_environment.hpp"
-#include "clearance/disc_reach.hpp"
+#include "clearance/disc_passage.hpp"
 #include "world/path_query_error.hpp"
 #include "world/point_error.hpp"
 #include "world/query_scratch.hpp"

@@ -1,10 +1,9 @@
-#include "clearance/diameter.hpp"
-
 #include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "clearance/disc.hpp"
 #include "exact/point_source.hpp"
 #include "exact/rational.hpp"
 #include "support/random.hpp"

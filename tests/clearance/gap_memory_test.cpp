@@ -1,5 +1,3 @@
-#include "clearance/gap_memory.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "clearance/disc_passage.hpp"
 #include "clearance/widest.hpp"
 #include "exact/gap.hpp"
 #include "support/case_count.hpp"
