@@ -6,7 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "harness.hpp"
 #include "location_strategies.hpp"
 #include "thesis/registers.hpp"
@@ -15,7 +15,7 @@
 namespace waywright::bench {
 namespace {
 
-using Triangulation = constraint::ExactTriangulation::Triangulation;
+using Triangulation = constraint::ConstrainedTriangulation::Triangulation;
 
 constexpr std::size_t kQueryCount = 10000;
 

@@ -10,8 +10,8 @@
 #include "clearance/changed_walls.hpp"
 #include "clearance/disc.hpp"
 #include "clearance/wall_tree.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "constraint/distances.hpp"
-#include "constraint/exact_triangulation.hpp"
 #include "exact/gap.hpp"
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
@@ -106,7 +106,7 @@ struct BridgeScratch {
 /// and its dual shape*, 1995, explains what the bridges say about discs.
 class BridgeFinder {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   /// Requires: if the tree is built, it is up to date. Without a tree, find_wall(), is_bridge() and find_far_bridges()
   /// must not be called.

@@ -9,8 +9,8 @@
 #include "clearance/bridge_finder.hpp"
 #include "clearance/bridges.hpp"
 #include "clearance/cells.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "constraint/cover_finder.hpp"
-#include "constraint/exact_triangulation.hpp"
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
 
@@ -20,7 +20,7 @@ namespace waywright::clearance {
 /// because it keeps its memory.
 class BridgeLister {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   /// Lists the bridges that have a position in common with the closed box, without those in the interior of polygons.
   /// `cover_finder` finds the polygons. Requires: `bridges` belongs to the triangulation. Cost: linear in the faces

@@ -15,7 +15,7 @@
 #include "clearance/changed_walls.hpp"
 #include "clearance/feet.hpp"
 #include "clearance/wall_tree.hpp"
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "memory/journaled_array.hpp"
 #include "memory/zeroed_array.hpp"
 
@@ -47,7 +47,7 @@ namespace waywright::clearance {
 /// Requires: each vertex of the mesh is the end of a wall.
 class Bridges {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   static constexpr std::uint32_t kNone = Feet::kNone;
 

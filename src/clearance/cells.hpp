@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "clearance/bridges.hpp"
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "exact/gap.hpp"
 
 namespace waywright::clearance {
@@ -43,7 +43,7 @@ struct CellEdge {
 /// degree of the vertex at the end of the edge.
 class Cells {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   Cells(const Triangulation& triangulation, const Bridges& bridges)
       : triangulation_(triangulation), mesh_(triangulation.topology()), bridges_(bridges) {}

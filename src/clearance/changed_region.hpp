@@ -9,7 +9,7 @@
 
 #include "clearance/bridge_finder.hpp"
 #include "clearance/changed_walls.hpp"
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "mesh/touched_faces.hpp"
 
 namespace waywright::clearance {
@@ -18,7 +18,7 @@ namespace waywright::clearance {
 /// changed their bridges. Keep the object: later operations use its memory again.
 class ChangedRegion {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   /// Starts an update. Requires: the operation of the triangulation is still open, `touched` are the faces that it has
   /// touched, and the object is empty.

@@ -12,7 +12,7 @@
 #include "waywright/memory_use.hpp"
 
 #include "clearance/bridges.hpp"
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 
 namespace waywright::clearance {
 
@@ -25,7 +25,7 @@ namespace waywright::clearance {
 /// triangulation stays until shrink_to_fit() finds no loose ring.
 class Clearance {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   /// Finds the bridges of a world. The object does not keep a reference to the triangulation, which the program may
   /// move. So pass the triangulation of the world to every function with a parameter `world`.

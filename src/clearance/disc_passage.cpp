@@ -185,7 +185,7 @@ void GapMemory::put_into(const Cells& cells, std::uint32_t key, Id id) {
   outer = id;
 }
 
-void DiscPassage::begin(const constraint::ExactTriangulation& triangulation, const Bridges& bridges,
+void DiscPassage::begin(const constraint::ConstrainedTriangulation& triangulation, const Bridges& bridges,
                         std::uint64_t state, const Point& start, const Point& goal, double radius) {
   triangulation_ = &triangulation;
   bridges_ = &bridges;

@@ -13,7 +13,7 @@
 #include "clearance/cells.hpp"
 #include "clearance/near_walls.hpp"
 #include "clearance/widest.hpp"
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
 
@@ -126,7 +126,7 @@ class DiscPassage {
   /// Starts a decision. Requires: the disc fits at both positions; `state` is the number of the bridges
   /// (Clearance::state()); the triangulation and the bridges exist and do not change until the decision ends. Cost:
   /// O(1).
-  void begin(const constraint::ExactTriangulation& triangulation, const Bridges& bridges, std::uint64_t state,
+  void begin(const constraint::ConstrainedTriangulation& triangulation, const Bridges& bridges, std::uint64_t state,
              const Point& start, const Point& goal, double radius);
   /// Returns whether an earlier decision in this state knows a gap that is too narrow for the disc.
   [[nodiscard]] bool may_remember() const { return memory_.may_refuse(radius_); }
@@ -143,7 +143,7 @@ class DiscPassage {
   [[nodiscard]] bool find_cells(NearWalls& near_walls);
   [[nodiscard]] bool begin_search(NearWalls& near_walls);
 
-  const constraint::ExactTriangulation* triangulation_ = nullptr;
+  const constraint::ConstrainedTriangulation* triangulation_ = nullptr;
   const Bridges* bridges_ = nullptr;
   Point start_;
   Point goal_;

@@ -42,7 +42,7 @@ DistanceBounds bound_distance(const Point& from, const Point& along, double roun
 /// Computes distances from a point to edges in doubles, with bounds of their errors.
 class Distances {
  public:
-  Distances(const constraint::ExactTriangulation& triangulation, const Point& point)
+  Distances(const constraint::ConstrainedTriangulation& triangulation, const Point& point)
       : mesh_(triangulation.topology()),
         geometry_(triangulation.triangulation().geometry()),
         point_(point),

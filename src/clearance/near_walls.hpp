@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "clearance/cells.hpp"
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
 
@@ -15,7 +15,7 @@ namespace waywright::clearance {
 /// Finds the walls near a position. Use one object for many queries, because it keeps its memory.
 class NearWalls {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   /// Returns whether no wall is nearer to `point` than `radius`. Requires: the point lies in the domain, and the radius
   /// is finite and positive. Cost: the number of faces within the radius.

@@ -9,8 +9,8 @@
 #include "clearance/disc_passage.hpp"
 #include "clearance/near_walls.hpp"
 #include "clearance/offset_curve.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "constraint/cover_finder.hpp"
-#include "constraint/exact_triangulation.hpp"
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
 
@@ -29,7 +29,7 @@ namespace waywright::clearance {
 /// tries the nearest point, then points at larger and larger distances from the walls.
 class NearestFit {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   struct Query {
     Point point;

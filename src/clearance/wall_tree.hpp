@@ -13,7 +13,7 @@
 #include "waywright/memory_use.hpp"
 #include "waywright/point.hpp"
 
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "memory/count.hpp"
 #include "memory/free_list.hpp"
 #include "memory/journaled_array.hpp"
@@ -39,7 +39,7 @@ namespace waywright::clearance {
 /// (balance by rotations, as in an AVL tree).
 class WallTree {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   /// The border of the domain always has walls, so a tree that is built is never empty.
   [[nodiscard]] bool is_built() const { return !trees_.empty(); }

@@ -143,7 +143,7 @@ WidestSearch::Sides WidestSearch::sides(const Cells& cells) const {
           {{beyond, keys.subspan(narrower.entered_before_level)}, {beyond, other.entered}}};
 }
 
-void WidestGapFinder::find(const constraint::ExactTriangulation& triangulation, const Bridges& bridges,
+void WidestGapFinder::find(const constraint::ConstrainedTriangulation& triangulation, const Bridges& bridges,
                            NearWalls& near_walls, const Point& start, const Point& goal, WidestGap& result) {
   result.clear();
   const auto start_cell = near_walls.find_cell(triangulation, bridges, start);
@@ -153,8 +153,8 @@ void WidestGapFinder::find(const constraint::ExactTriangulation& triangulation, 
   write_gap(triangulation, bridges, search_.find(Cells(triangulation, bridges), *start_cell, *goal_cell), result);
 }
 
-void write_gap(const constraint::ExactTriangulation& triangulation, const Bridges& bridges, const Narrowest& narrowest,
-               WidestGap& result) {
+void write_gap(const constraint::ConstrainedTriangulation& triangulation, const Bridges& bridges,
+               const Narrowest& narrowest, WidestGap& result) {
   result.clear();
   const Cells cells(triangulation, bridges);
   result.is_connected = narrowest.is_connected;

@@ -11,7 +11,7 @@
 #include "clearance/bridges.hpp"
 #include "clearance/cells.hpp"
 #include "clearance/near_walls.hpp"
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
 
@@ -141,7 +141,7 @@ class WidestGapFinder {
  public:
   /// Requires: `bridges` belongs to the triangulation, and both points lie in its domain. A position on a wall is
   /// connected with no other.
-  void find(const constraint::ExactTriangulation& triangulation, const Bridges& bridges, NearWalls& near_walls,
+  void find(const constraint::ConstrainedTriangulation& triangulation, const Bridges& bridges, NearWalls& near_walls,
             const Point& start, const Point& goal, WidestGap& result);
 
  private:
@@ -149,7 +149,7 @@ class WidestGapFinder {
 };
 
 /// Writes the answer of a search as a gap.
-void write_gap(const constraint::ExactTriangulation& triangulation, const Bridges& bridges, const Narrowest& narrowest,
-               WidestGap& result);
+void write_gap(const constraint::ConstrainedTriangulation& triangulation, const Bridges& bridges,
+               const Narrowest& narrowest, WidestGap& result);
 
 }  // namespace waywright::clearance

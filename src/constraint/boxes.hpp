@@ -7,7 +7,7 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "exact/exact_position.hpp"
 #include "exact/predicates.hpp"
 
@@ -59,7 +59,7 @@ class BoxTest {
 /// whether the edge meets the box. Requires: a position of the box lies in the face of `start`, which is a face of the
 /// domain. Overwrites `faces`.
 template <class Reach, class Visit>
-void flood_box(const ExactTriangulation& triangulation, const BoxTest& box, mesh::HalfEdge start,
+void flood_box(const ConstrainedTriangulation& triangulation, const BoxTest& box, mesh::HalfEdge start,
                std::vector<mesh::HalfEdge>& faces, const Reach& reach, const Visit& visit) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const exact::Geometry& geometry = triangulation.triangulation().geometry();

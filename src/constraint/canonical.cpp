@@ -14,8 +14,8 @@ std::array<std::uint32_t, 3> from_smallest(std::uint32_t a, std::uint32_t b, std
   return {c, a, b};
 }
 
-void append_constraint(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::uint32_t i, std::uint32_t j,
-                       MeshSnapshot& snapshot) {
+void append_constraint(const ConstrainedTriangulation& triangulation, mesh::HalfEdge h, std::uint32_t i,
+                       std::uint32_t j, MeshSnapshot& snapshot) {
   MeshSnapshot::ConstrainedEdge edge{{i, j}, static_cast<std::uint32_t>(snapshot.ids.size()), 0};
   triangulation.for_each_side(h,
                               [&](const Side& side) { snapshot.ids.push_back(triangulation.items().id(side.item)); });
@@ -28,7 +28,7 @@ void append_constraint(const ExactTriangulation& triangulation, mesh::HalfEdge h
 
 }  // namespace
 
-void take_snapshot(const ExactTriangulation& triangulation, CanonicalOrder& order, MeshSnapshot& snapshot) {
+void take_snapshot(const ConstrainedTriangulation& triangulation, CanonicalOrder& order, MeshSnapshot& snapshot) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
   auto& [vertices, index, fixed] = order;
@@ -72,7 +72,7 @@ void take_snapshot(const ExactTriangulation& triangulation, CanonicalOrder& orde
   for (const auto& [i, j, h] : fixed) append_constraint(triangulation, h, i, j, snapshot);
 }
 
-std::string dump(const ExactTriangulation& triangulation) {
+std::string dump(const ConstrainedTriangulation& triangulation) {
   CanonicalOrder order;
   MeshSnapshot snapshot;
   take_snapshot(triangulation, order, snapshot);

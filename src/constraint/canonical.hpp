@@ -6,7 +6,7 @@
 
 #include "waywright/mesh_snapshot.hpp"
 
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 
 namespace waywright::constraint {
 
@@ -23,9 +23,9 @@ struct CanonicalOrder {
 };
 
 /// Fills `snapshot` with the mesh in its canonical order, which depends only on the items; see MeshSnapshot.
-void take_snapshot(const ExactTriangulation& triangulation, CanonicalOrder& order, MeshSnapshot& snapshot);
+void take_snapshot(const ConstrainedTriangulation& triangulation, CanonicalOrder& order, MeshSnapshot& snapshot);
 
 /// Returns the mesh as canonical text, with its coordinates as reduced fractions: see World::dump.
-[[nodiscard]] std::string dump(const ExactTriangulation& triangulation);
+[[nodiscard]] std::string dump(const ConstrainedTriangulation& triangulation);
 
 }  // namespace waywright::constraint

@@ -265,9 +265,6 @@ class ConstrainedTriangulation {
   Outline outline_;  ///< of the item that the operation inserts or removes
 };
 
-/// The triangulation of a World.
-using ExactTriangulation = ConstrainedTriangulation;
-
 /// Whether a side that lies on the edge of `h` runs in the direction of `h`. If it does, and its ring is
 /// counter-clockwise, the inside of the ring is left of `h`. The side and the edge lie on one line, so the (x, y) order
 /// of their ends says whether they have the same direction.

@@ -9,7 +9,7 @@ namespace waywright::constraint {
 namespace {
 
 /// The half-edge from `v` to its neighbour that comes first in (x, y) order.
-mesh::HalfEdge first_neighbour(const ExactTriangulation& triangulation, mesh::Vertex v) {
+mesh::HalfEdge first_neighbour(const ConstrainedTriangulation& triangulation, mesh::Vertex v) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
   mesh::HalfEdge best = mesh::kNoHalfEdge;
@@ -21,14 +21,16 @@ mesh::HalfEdge first_neighbour(const ExactTriangulation& triangulation, mesh::Ve
 }
 
 /// Appends the polygons whose sides lie on the edge of `h`, each once per side.
-void append_polygons(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::vector<std::uint32_t>& polygons) {
+void append_polygons(const ConstrainedTriangulation& triangulation, mesh::HalfEdge h,
+                     std::vector<std::uint32_t>& polygons) {
   triangulation.for_each_side(h, [&](const Side& side) {
     if (triangulation.items().is_polygon(side.item)) polygons.push_back(side.item);
   });
 }
 
 /// Appends an entry for each polygon side on the edge: twice the polygon's slot, plus 1 if the side runs against `h`.
-void append_directed(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::vector<std::uint32_t>& entries) {
+void append_directed(const ConstrainedTriangulation& triangulation, mesh::HalfEdge h,
+                     std::vector<std::uint32_t>& entries) {
   triangulation.for_each_side(h, [&](const Side& side) {
     if (!triangulation.items().is_polygon(side.item)) return;
     entries.push_back(2 * side.item + (runs_along(triangulation, side, h) ? 0 : 1));
@@ -55,7 +57,7 @@ void keep_covering(const ItemTable& items, std::vector<std::uint32_t>& entries) 
 /// it leaves the domain. This ends, because every other vertex has a neighbour that comes before it. If `before` is a
 /// vertex, the function ends as soon as it reaches a vertex that comes before it.
 template <class Visit>
-void leave_domain(const ExactTriangulation& triangulation, mesh::HalfEdge h, mesh::Vertex before, Visit&& visit) {
+void leave_domain(const ConstrainedTriangulation& triangulation, mesh::HalfEdge h, mesh::Vertex before, Visit&& visit) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
   while (!delaunay.is_ghost_face(h)) {
@@ -73,7 +75,7 @@ void leave_domain(const ExactTriangulation& triangulation, mesh::HalfEdge h, mes
 
 }  // namespace
 
-void faces_at(const ExactTriangulation& triangulation, const locate::Located& location,
+void faces_at(const ConstrainedTriangulation& triangulation, const locate::Located& location,
               std::vector<mesh::HalfEdge>& faces) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
@@ -104,7 +106,8 @@ void faces_at(const ExactTriangulation& triangulation, const locate::Located& lo
 
 // The winding number of the face is the sum over the sides that leave_domain() crosses between the face and the outside
 // of the domain. If all polygons are even-odd, the number of sides is enough.
-const std::vector<std::uint32_t>& CoverFinder::of_face(const ExactTriangulation& triangulation, mesh::HalfEdge h) {
+const std::vector<std::uint32_t>& CoverFinder::of_face(const ConstrainedTriangulation& triangulation,
+                                                       mesh::HalfEdge h) {
   crossed_.clear();
   if (!triangulation.items().has_polygons()) return crossed_;
   if (triangulation.items().has_nonzero_polygons()) {
@@ -121,7 +124,7 @@ const std::vector<std::uint32_t>& CoverFinder::of_face(const ExactTriangulation&
 
 // The polygon contains no vertex that comes before its first corner. So the winding number is 0 in each face at such a
 // vertex.
-std::int32_t winding_number(const ExactTriangulation& triangulation, mesh::HalfEdge h, std::uint32_t polygon,
+std::int32_t winding_number(const ConstrainedTriangulation& triangulation, mesh::HalfEdge h, std::uint32_t polygon,
                             mesh::Vertex first_corner) {
   std::int32_t sum = 0;
   with_winding(triangulation, polygon, [&](const auto& winding) {
@@ -130,7 +133,7 @@ std::int32_t winding_number(const ExactTriangulation& triangulation, mesh::HalfE
   return sum;
 }
 
-void CoverFinder::collect_touching(const ExactTriangulation& triangulation, const locate::Located& location) {
+void CoverFinder::collect_touching(const ConstrainedTriangulation& triangulation, const locate::Located& location) {
   touching_.clear();
   if (location.kind == locate::LocatedKind::edge) append_polygons(triangulation, location.h, touching_);
   if (location.kind == locate::LocatedKind::vertex) {
@@ -144,7 +147,7 @@ void CoverFinder::collect_touching(const ExactTriangulation& triangulation, cons
   keep_one_of_each(touching_);
 }
 
-const std::vector<std::uint32_t>& CoverFinder::of_location(const ExactTriangulation& triangulation,
+const std::vector<std::uint32_t>& CoverFinder::of_location(const ConstrainedTriangulation& triangulation,
                                                            const locate::Located& location) {
   covering_.clear();
   if (!triangulation.items().has_polygons()) return covering_;
@@ -157,7 +160,7 @@ const std::vector<std::uint32_t>& CoverFinder::of_location(const ExactTriangulat
   return covering_;
 }
 
-const std::vector<std::uint32_t>& CoverFinder::strictly_covering(const ExactTriangulation& triangulation,
+const std::vector<std::uint32_t>& CoverFinder::strictly_covering(const ConstrainedTriangulation& triangulation,
                                                                  const locate::Located& location) {
   collect_touching(triangulation, location);
   faces_at(triangulation, location, around_);
@@ -167,11 +170,11 @@ const std::vector<std::uint32_t>& CoverFinder::strictly_covering(const ExactTria
   return covering_;
 }
 
-bool CoverFinder::is_strictly_inside(const ExactTriangulation& triangulation, const locate::Located& location) {
+bool CoverFinder::is_strictly_inside(const ConstrainedTriangulation& triangulation, const locate::Located& location) {
   return !strictly_covering(triangulation, location).empty();
 }
 
-const std::vector<mesh::HalfEdge>& CoverFinder::open_faces(const ExactTriangulation& triangulation,
+const std::vector<mesh::HalfEdge>& CoverFinder::open_faces(const ConstrainedTriangulation& triangulation,
                                                            const locate::Located& location) {
   faces_at(triangulation, location, open_);
   std::erase_if(open_, [&](mesh::HalfEdge h) { return is_covered(triangulation, h); });

@@ -1,3 +1,7 @@
 #pragma once
 
 #include "constraint/constrained_triangulation.hpp"
+
+namespace waywright::constraint {
+using ExactTriangulation = ConstrainedTriangulation;
+}

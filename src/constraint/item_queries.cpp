@@ -23,7 +23,7 @@ namespace {
 using Slots = std::vector<std::uint32_t>;
 
 /// Fills `ids` with the ids of the items in `slots`, ascending. Sorts `slots` and removes duplicates.
-void fill_ids(const ExactTriangulation& triangulation, Slots& slots, std::vector<ItemId>& ids) {
+void fill_ids(const ConstrainedTriangulation& triangulation, Slots& slots, std::vector<ItemId>& ids) {
   keep_one_of_each(slots);
   ids.clear();
   for (const std::uint32_t slot : slots) {
@@ -32,18 +32,19 @@ void fill_ids(const ExactTriangulation& triangulation, Slots& slots, std::vector
   std::sort(ids.begin(), ids.end());
 }
 
-void append_items_of_edge(const ExactTriangulation& triangulation, mesh::HalfEdge h, Slots& slots) {
+void append_items_of_edge(const ConstrainedTriangulation& triangulation, mesh::HalfEdge h, Slots& slots) {
   triangulation.for_each_side(h, [&](const Side& side) { slots.push_back(side.item); });
 }
 
-void append_items_around(const ExactTriangulation& triangulation, mesh::Vertex v, Slots& slots) {
+void append_items_around(const ConstrainedTriangulation& triangulation, mesh::Vertex v, Slots& slots) {
   triangulation.topology().for_each_outgoing(v,
                                              [&](mesh::HalfEdge h) { append_items_of_edge(triangulation, h, slots); });
 }
 
 /// The position where a segment meets a constrained edge, rounded to doubles. If the segment starts or ends on the
 /// edge's line, the function returns this end of the segment, because the segment may run along the edge.
-Point meeting_point(const ExactTriangulation& triangulation, mesh::HalfEdge h, const Point& from, const Point& to) {
+Point meeting_point(const ConstrainedTriangulation& triangulation, mesh::HalfEdge h, const Point& from,
+                    const Point& to) {
   const auto& geometry = triangulation.triangulation().geometry();
   const Side& side = triangulation.items().side(triangulation.uses().any(triangulation.topology().label(h)));
   const Point& c = geometry.rounded(number(side.from));
@@ -59,8 +60,8 @@ Point meeting_point(const ExactTriangulation& triangulation, mesh::HalfEdge h, c
 /// Lists the items that a segment walk meets, with their positions.
 class CrossedItems : public SegmentVisitor {
  public:
-  CrossedItems(const ExactTriangulation& triangulation, const Point& from, const Point& to, ItemQueryScratch& scratch,
-               std::vector<CrossedItem>& found)
+  CrossedItems(const ConstrainedTriangulation& triangulation, const Point& from, const Point& to,
+               ItemQueryScratch& scratch, std::vector<CrossedItem>& found)
       : triangulation_(triangulation), from_(from), to_(to), scratch_(scratch), found_(found) {}
 
   bool at_vertex(mesh::Vertex v) {
@@ -105,7 +106,7 @@ class CrossedItems : public SegmentVisitor {
     return is_end ? last_edge_ : mesh::kNoHalfEdge;
   }
 
-  const ExactTriangulation& triangulation_;
+  const ConstrainedTriangulation& triangulation_;
   Point from_;
   Point to_;
   mesh::Vertex last_vertex_ = mesh::kNoVertex;    ///< the last vertex or edge of the walk, if it was a vertex
@@ -117,7 +118,7 @@ class CrossedItems : public SegmentVisitor {
 /// Ends a segment walk at the first constrained edge.
 class FirstWall : public SegmentVisitor {
  public:
-  FirstWall(const ExactTriangulation& triangulation, const Point& from, const Point& to, RayHit& hit)
+  FirstWall(const ConstrainedTriangulation& triangulation, const Point& from, const Point& to, RayHit& hit)
       : triangulation_(triangulation), from_(from), to_(to), hit_(hit) {}
 
   bool at_vertex(mesh::Vertex v) {
@@ -140,7 +141,7 @@ class FirstWall : public SegmentVisitor {
                                  [&](const Side& side) { hit_.items.push_back(triangulation_.items().id(side.item)); });
   }
 
-  const ExactTriangulation& triangulation_;
+  const ConstrainedTriangulation& triangulation_;
   Point from_;
   Point to_;
   RayHit& hit_;
@@ -148,7 +149,7 @@ class FirstWall : public SegmentVisitor {
 
 /// Appends the items whose sides or corners meet the box to `slots` of the scratch. Requires: a position of the box
 /// lies in the face of `start`. The ends of sides are explicit, so the test of sides and corners is exact.
-void append_items_in(const ExactTriangulation& triangulation, const Box& box, mesh::HalfEdge start,
+void append_items_in(const ConstrainedTriangulation& triangulation, const Box& box, mesh::HalfEdge start,
                      ItemQueryScratch& scratch) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
@@ -171,7 +172,7 @@ void append_items_in(const ExactTriangulation& triangulation, const Box& box, me
 
 }  // namespace
 
-void items_at(const ExactTriangulation& triangulation, CoverFinder& cover_finder, const Point& point,
+void items_at(const ConstrainedTriangulation& triangulation, CoverFinder& cover_finder, const Point& point,
               ItemQueryScratch& scratch, std::vector<ItemId>& result) {
   const auto& delaunay = triangulation.triangulation();
   const locate::Located location = delaunay.locate(point);
@@ -186,14 +187,14 @@ void items_at(const ExactTriangulation& triangulation, CoverFinder& cover_finder
   fill_ids(triangulation, slots, result);
 }
 
-void items_crossed(const ExactTriangulation& triangulation, const Point& from, const Point& to,
+void items_crossed(const ConstrainedTriangulation& triangulation, const Point& from, const Point& to,
                    ItemQueryScratch& scratch, std::vector<CrossedItem>& result) {
   result.clear();
   SegmentWalk(triangulation, from, to, triangulation.triangulation().locate(from))
       .run(CrossedItems(triangulation, from, to, scratch, result));
 }
 
-void first_wall(const ExactTriangulation& triangulation, const Point& from, const Point& to, RayHit& hit) {
+void first_wall(const ConstrainedTriangulation& triangulation, const Point& from, const Point& to, RayHit& hit) {
   hit.items.clear();
   SegmentWalk(triangulation, from, to, triangulation.triangulation().locate(from))
       .run(FirstWall(triangulation, from, to, hit));
@@ -205,7 +206,7 @@ void first_wall(const ExactTriangulation& triangulation, const Point& from, cons
 }
 
 // A polygon that covers the box, and has no side or corner in it, covers the box's first corner.
-void items_in(const ExactTriangulation& triangulation, CoverFinder& cover_finder, const Box& box,
+void items_in(const ConstrainedTriangulation& triangulation, CoverFinder& cover_finder, const Box& box,
               ItemQueryScratch& scratch, std::vector<ItemId>& result) {
   const Box& domain = triangulation.domain();
   const Box clipped{{std::max(box.min.x, domain.min.x), std::max(box.min.y, domain.min.y)},
@@ -235,7 +236,7 @@ namespace {
 /// their coordinates are rounded, so earliest() also adds a bound of this rounding error, for every edge.
 class Reach {
  public:
-  Reach(const ExactTriangulation& triangulation, const Sweep& sweep)
+  Reach(const ConstrainedTriangulation& triangulation, const Sweep& sweep)
       : mesh_(triangulation.topology()),
         geometry_(triangulation.triangulation().geometry()),
         from_(sweep.from),
@@ -333,7 +334,7 @@ bool is_before(const Point& p, const Point& q) { return std::tie(p.x, p.y) < std
 
 }  // namespace
 
-void SweptDisc::find_first_wall(const ExactTriangulation& triangulation, const Sweep& sweep, RayHit& hit) {
+void SweptDisc::find_first_wall(const ConstrainedTriangulation& triangulation, const Sweep& sweep, RayHit& hit) {
   find_first_sides(triangulation, sweep);
   hit.items.clear();
   hit.hit = !first_.empty();
@@ -353,7 +354,7 @@ void SweptDisc::find_first_wall(const ExactTriangulation& triangulation, const S
 }
 
 /// Visits faces in the order in which the disc may meet them, and collects in `first_` the sides that it touches first.
-void SweptDisc::find_first_sides(const ExactTriangulation& triangulation, const Sweep& sweep) {
+void SweptDisc::find_first_sides(const ConstrainedTriangulation& triangulation, const Sweep& sweep) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const Reach reach(triangulation, sweep);
   visited_.grow_to(mesh.face_slots());
@@ -386,7 +387,7 @@ void SweptDisc::find_first_sides(const ExactTriangulation& triangulation, const 
 
 /// For each side on an edge: adds the side to `first_`, unless the disc touches a side in `first_` earlier. If the disc
 /// touches the new side earlier than the sides in `first_`, removes those. Returns whether the first touch has changed.
-bool SweptDisc::add_sides(const ExactTriangulation& triangulation, const Sweep& sweep, HalfEdge h) {
+bool SweptDisc::add_sides(const ConstrainedTriangulation& triangulation, const Sweep& sweep, HalfEdge h) {
   if (!triangulation.topology().is_fixed(h)) return false;
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
   bool has_changed = false;

@@ -8,8 +8,8 @@
 #include "waywright/point.hpp"
 #include "waywright/ray.hpp"
 
+#include "constraint/constrained_triangulation.hpp"
 #include "constraint/cover_finder.hpp"
-#include "constraint/exact_triangulation.hpp"
 #include "constraint/slot_sets.hpp"
 #include "exact/sweep.hpp"
 #include "memory/stamp.hpp"
@@ -28,21 +28,21 @@ struct ItemQueryScratch {
 
 /// Finds the items that cover a point or have a side or corner there, in ascending order of ids. `cover_finder`
 /// finds the polygons.
-void items_at(const ExactTriangulation& triangulation, CoverFinder& cover_finder, const Point& point,
+void items_at(const ConstrainedTriangulation& triangulation, CoverFinder& cover_finder, const Point& point,
               ItemQueryScratch& scratch, std::vector<ItemId>& result);
 
 /// Finds the items whose sides the segment meets, in order from `from` to `to`, each with the position where the
 /// segment meets it, rounded to doubles. If the segment runs along a side, the position is the point where the overlap
 /// starts. Items at the same position are in ascending order of ids.
-void items_crossed(const ExactTriangulation& triangulation, const Point& from, const Point& to,
+void items_crossed(const ConstrainedTriangulation& triangulation, const Point& from, const Point& to,
                    ItemQueryScratch& scratch, std::vector<CrossedItem>& result);
 
 /// Finds the first constrained edge that the segment touches, in the direction from `from` to `to`.
-void first_wall(const ExactTriangulation& triangulation, const Point& from, const Point& to, RayHit& hit);
+void first_wall(const ConstrainedTriangulation& triangulation, const Point& from, const Point& to, RayHit& hit);
 
 /// Finds the items that have a point in common with the closed box, in ascending order of ids. `cover_finder`
 /// finds the polygons. Requires: the box meets the domain.
-void items_in(const ExactTriangulation& triangulation, CoverFinder& cover_finder, const Box& box,
+void items_in(const ConstrainedTriangulation& triangulation, CoverFinder& cover_finder, const Box& box,
               ItemQueryScratch& scratch, std::vector<ItemId>& result);
 
 /// Finds the first wall that a moving disc touches. Use one object for many queries, because it keeps its memory.
@@ -50,7 +50,7 @@ class SweptDisc {
  public:
   /// Requires: both ends of the sweep lie in the domain, and its radius is finite and positive. Cost: n log n in the
   /// number n of faces that a disc 1.07 times as large meets before the disc touches a wall.
-  void find_first_wall(const ExactTriangulation& triangulation, const exact::Sweep& sweep, RayHit& hit);
+  void find_first_wall(const ConstrainedTriangulation& triangulation, const exact::Sweep& sweep, RayHit& hit);
 
  private:
   /// An edge that the disc may meet, as a half-edge of the face from which the search saw it.
@@ -64,8 +64,8 @@ class SweptDisc {
     std::uint32_t item;
   };
 
-  void find_first_sides(const ExactTriangulation& triangulation, const exact::Sweep& sweep);
-  bool add_sides(const ExactTriangulation& triangulation, const exact::Sweep& sweep, mesh::HalfEdge h);
+  void find_first_sides(const ConstrainedTriangulation& triangulation, const exact::Sweep& sweep);
+  bool add_sides(const ConstrainedTriangulation& triangulation, const exact::Sweep& sweep, mesh::HalfEdge h);
   [[nodiscard]] Point contact(const exact::Sweep& sweep, const Point& centre) const;
 
   std::vector<Edge> edges_;  ///< a heap: the earliest edge is at the front

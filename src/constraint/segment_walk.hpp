@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "locate/walk.hpp"
 
 namespace waywright::constraint {
@@ -24,10 +24,11 @@ class SegmentVisitor {
 /// along this edge), and every face that it runs through, both ends included. All decisions are exact.
 class SegmentWalk {
  public:
-  using Delaunay = ExactTriangulation::Triangulation;
+  using Delaunay = ConstrainedTriangulation::Triangulation;
 
   /// Requires: both ends lie in the domain; `start` is the location of `from`.
-  SegmentWalk(const ExactTriangulation& triangulation, const Point& from, const Point& to, const locate::Located& start)
+  SegmentWalk(const ConstrainedTriangulation& triangulation, const Point& from, const Point& to,
+              const locate::Located& start)
       : delaunay_(triangulation.triangulation()),
         mesh_(triangulation.topology()),
         line_(exact::Geometry::view(from), exact::Geometry::view(to)),

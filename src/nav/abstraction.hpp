@@ -9,8 +9,8 @@
 #include "waywright/memory_use.hpp"
 
 #include "base/compiler.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "constraint/cover_finder.hpp"
-#include "constraint/exact_triangulation.hpp"
 #include "mesh/touched_faces.hpp"
 #include "nav/component_update.hpp"
 #include "nav/components.hpp"
@@ -27,7 +27,7 @@ namespace waywright::nav {
 /// abstraction after each change, in time linear in the size of the mesh.
 class Abstraction {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   /// The abstraction of a triangulation. Pass the same triangulation to every update(). The triangulation may have been
   /// moved to another object in between: then pass this object.
@@ -129,7 +129,7 @@ class ComponentCoverFinder final : public constraint::CoverFinder {
     components_ = abstraction != nullptr ? &abstraction->components() : nullptr;
   }
 
-  const std::vector<std::uint32_t>& of_face(const constraint::ExactTriangulation& triangulation,
+  const std::vector<std::uint32_t>& of_face(const constraint::ConstrainedTriangulation& triangulation,
                                             mesh::HalfEdge h) override {
     if (components_ == nullptr) return CoverFinder::of_face(triangulation, h);
     polygons_.clear();
@@ -137,7 +137,7 @@ class ComponentCoverFinder final : public constraint::CoverFinder {
     return polygons_;
   }
 
-  bool is_covered(const constraint::ExactTriangulation& triangulation, mesh::HalfEdge h) override {
+  bool is_covered(const constraint::ConstrainedTriangulation& triangulation, mesh::HalfEdge h) override {
     return components_ == nullptr ? CoverFinder::is_covered(triangulation, h) : components_->is_covered(mesh::face(h));
   }
 

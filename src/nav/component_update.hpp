@@ -22,7 +22,7 @@ namespace waywright::nav {
 /// per face.
 class ComponentUpdate {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   /// What has changed since the last update. `changed` lists the faces that were made, rebuilt or freed.
   /// `new_faces` lists the faces of `changed` that now lie in the domain. Each list contains a face once. `removed` and

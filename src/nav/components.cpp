@@ -20,7 +20,7 @@ namespace {
 using WindingNumbers = std::vector<std::pair<std::uint32_t, std::int32_t>>;
 
 /// Returns the winding numbers in the face beyond `h`. `here` contains the winding numbers in the face of `h`.
-WindingNumbers numbers_beyond(const constraint::ExactTriangulation& triangulation, const WindingNumbers& here,
+WindingNumbers numbers_beyond(const constraint::ConstrainedTriangulation& triangulation, const WindingNumbers& here,
                               HalfEdge h) {
   WindingNumbers numbers = here;
   triangulation.for_each_side(h, [&](const constraint::Side& side) {

@@ -11,7 +11,7 @@
 #include "waywright/memory_use.hpp"
 
 #include "base/compiler.hpp"
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "memory/free_list.hpp"
 #include "memory/journaled_array.hpp"
 #include "nav/cover_tree.hpp"
@@ -28,7 +28,7 @@ class Components {
   using Id = std::uint32_t;
   static constexpr Id kNone = 0xffffffff;
   using Set = CoverTree::Set;
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   /// Finds the components of a triangulation. Cost: linear. Needs scratch memory for the components and the walls
   /// between them.

@@ -22,7 +22,8 @@ using mesh::HalfEdge;
 namespace {
 
 /// The index of the ring's corner whose exact position comes first in (x, y) order.
-std::size_t first_corner(const constraint::ExactTriangulation& triangulation, std::span<const mesh::Vertex> ring) {
+std::size_t first_corner(const constraint::ConstrainedTriangulation& triangulation,
+                         std::span<const mesh::Vertex> ring) {
   const auto before = [&](mesh::Vertex p, mesh::Vertex q) { return triangulation.triangulation().comes_before(p, q); };
   return static_cast<std::size_t>(std::min_element(ring.begin(), ring.end(), before) - ring.begin());
 }
@@ -33,8 +34,8 @@ std::size_t first_corner(const constraint::ExactTriangulation& triangulation, st
 /// face of `h`. On return, `h` starts at the side's last corner, and `here` is the winding number in the face of the
 /// new `h`.
 template <class Winding, class Visit>
-void visit_inner_faces(const constraint::ExactTriangulation& triangulation, const Winding& winding, std::uint32_t slot,
-                       HalfEdge& h, std::int32_t& here, Visit&& visit) {
+void visit_inner_faces(const constraint::ConstrainedTriangulation& triangulation, const Winding& winding,
+                       std::uint32_t slot, HalfEdge& h, std::int32_t& here, Visit&& visit) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const Side side = triangulation.items().side(slot);
   HalfEdge edge_back = mesh::kNoHalfEdge;
@@ -64,7 +65,7 @@ void visit_inner_faces(const constraint::ExactTriangulation& triangulation, cons
 
 /// Calls visit(h) for each edge on which a side lies, with a half-edge in the direction of the side.
 template <class Visit>
-void follow_side(const constraint::ExactTriangulation& triangulation, std::uint32_t slot, Visit&& visit) {
+void follow_side(const constraint::ConstrainedTriangulation& triangulation, std::uint32_t slot, Visit&& visit) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const Side side = triangulation.items().side(slot);
   HalfEdge back = mesh::kNoHalfEdge;
@@ -84,7 +85,8 @@ class WindingOfSides {
   /// An edge, as the lower of its two half-edges, and the change of the winding number across this half-edge.
   using Edge = std::pair<HalfEdge, std::int32_t>;
 
-  WindingOfSides(const constraint::ExactTriangulation& triangulation, const Winding& winding, std::vector<Edge>& edges)
+  WindingOfSides(const constraint::ConstrainedTriangulation& triangulation, const Winding& winding,
+                 std::vector<Edge>& edges)
       : triangulation_(triangulation), winding_(winding), edges_(edges) {
     edges_.clear();
   }
@@ -121,7 +123,7 @@ class WindingOfSides {
     edges_.resize(kept);
   }
 
-  const constraint::ExactTriangulation& triangulation_;
+  const constraint::ConstrainedTriangulation& triangulation_;
   const Winding& winding_;
   std::vector<Edge>& edges_;
 };
@@ -132,7 +134,7 @@ class WindingOfSides {
 /// order. So the function begins with the polygon whose first corner comes last: then the covers contain all enclosed
 /// polygons before it handles the polygon around them.
 void PolygonFlood::cover_with_all(Components& components, FaceMarks& marks,
-                                  const constraint::ExactTriangulation& triangulation,
+                                  const constraint::ConstrainedTriangulation& triangulation,
                                   std::span<const std::uint32_t> inserted) {
   components_ = &components;
   marks_ = &marks;

@@ -53,7 +53,8 @@ class PolygonFlood {
  public:
   /// Adds the inserted polygons to the covers of `components`, which contain none of them yet. Requires: `inserted`
   /// ascends, and the components are those of the triangulation.
-  void cover_with_all(Components& components, FaceMarks& marks, const constraint::ExactTriangulation& triangulation,
+  void cover_with_all(Components& components, FaceMarks& marks,
+                      const constraint::ConstrainedTriangulation& triangulation,
                       std::span<const std::uint32_t> inserted);
 
   void count_memory(MemoryUse& use) const;
@@ -92,7 +93,7 @@ class PolygonFlood {
   // The arguments of the call under way.
   Components* components_ = nullptr;
   FaceMarks* marks_ = nullptr;
-  const constraint::ExactTriangulation* triangulation_ = nullptr;
+  const constraint::ConstrainedTriangulation* triangulation_ = nullptr;
   std::span<const std::uint32_t> inserted_;
 
   std::vector<ToCover> to_cover_;

@@ -8,7 +8,7 @@ namespace waywright::nav {
 using mesh::Face;
 using mesh::HalfEdge;
 
-TwoCore::TwoCore(const constraint::ExactTriangulation& triangulation) {
+TwoCore::TwoCore(const constraint::ConstrainedTriangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   states_.reserve(memory::with_spare(mesh.face_slots()));
   states_.grow_to(mesh.face_slots(), kAbsent);

@@ -12,7 +12,7 @@
 #include "waywright/memory_use.hpp"
 
 #include "base/compiler.hpp"
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "memory/count.hpp"
 #include "memory/journaled_array.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -38,7 +38,7 @@ class TwoCore {
  public:
   /// Finds the two-core of the faces in the domain. Cost: linear. The scratch memory is only the undo log of one chain
   /// of faces that leave the core one after the other.
-  explicit TwoCore(const constraint::ExactTriangulation& triangulation);
+  explicit TwoCore(const constraint::ConstrainedTriangulation& triangulation);
 
   /// Prefetches the memory with the state of a face.
   WAYWRIGHT_ALWAYS_INLINE void prefetch(mesh::Face f) const { base::prefetch_to_write(&states_[number(f)]); }

@@ -44,13 +44,13 @@ class Walls {
       : mesh_(domain), bridges_(mesh_, limits) {}
 
   void insert(const Shape& shape, ItemId id) {
-    constraint::ExactTriangulation::UndoGuard operation(mesh_);
+    constraint::ConstrainedTriangulation::UndoGuard operation(mesh_);
     mesh_.insert(shape, id);
     update(changed_by(shape));
     operation.commit();
   }
   void remove(ItemId id) {
-    constraint::ExactTriangulation::UndoGuard operation(mesh_);
+    constraint::ConstrainedTriangulation::UndoGuard operation(mesh_);
     mesh_.remove(id);
     clearance::ChangedWalls any;
     any.add_all();
@@ -58,13 +58,13 @@ class Walls {
     operation.commit();
   }
   void remove(const Shape& shape, ItemId id) {
-    constraint::ExactTriangulation::UndoGuard operation(mesh_);
+    constraint::ConstrainedTriangulation::UndoGuard operation(mesh_);
     mesh_.remove(id);
     update(changed_by(shape));
     operation.commit();
   }
   [[nodiscard]] const Bridges& bridges() const { return bridges_; }
-  [[nodiscard]] const constraint::ExactTriangulation& mesh() const { return mesh_; }
+  [[nodiscard]] const constraint::ConstrainedTriangulation& mesh() const { return mesh_; }
 
   [[nodiscard]] std::vector<Segment> walls() const {
     std::set<Segment> result;
@@ -106,7 +106,7 @@ class Walls {
     }
   }
 
-  constraint::ExactTriangulation mesh_;
+  constraint::ConstrainedTriangulation mesh_;
   Bridges bridges_;
   mesh::TouchedFaces touched_;
 };

@@ -33,7 +33,7 @@ class Map {
     for (const auto& [a, b] : scene.walls.segments) {
       if (!(a == b)) items.push_back({ItemId{items.size() + 1}, Shape::segment(a, b)});
     }
-    constraint::ExactTriangulation::UndoGuard operation(mesh_);
+    constraint::ConstrainedTriangulation::UndoGuard operation(mesh_);
     for (const Item& item : items) mesh_.insert(item.shape, item.id);
     operation.commit();
     bridges_.emplace(mesh_);
@@ -47,7 +47,7 @@ class Map {
   [[nodiscard]] Cells cells() const { return {mesh_, *bridges_}; }
 
  private:
-  constraint::ExactTriangulation mesh_;
+  constraint::ConstrainedTriangulation mesh_;
   std::optional<Bridges> bridges_;
   clearance::NearWalls near_;
   clearance::WidestSearch widest_;

@@ -29,7 +29,7 @@ using disc::NamedScene;
 class GateMap {
  public:
   explicit GateMap(const NamedScene& scene) : mesh_(scene.domain) {
-    constraint::ExactTriangulation::UndoGuard operation(mesh_);
+    constraint::ConstrainedTriangulation::UndoGuard operation(mesh_);
     std::uint64_t id = 0;
     for (const auto& [a, b] : scene.walls.segments) {
       if (!(a == b)) mesh_.insert(Shape::segment(a, b), ItemId{++id});
@@ -55,7 +55,7 @@ class GateMap {
   }
 
  private:
-  constraint::ExactTriangulation mesh_;
+  constraint::ConstrainedTriangulation mesh_;
   std::optional<Bridges> bridges_;
 };
 

@@ -7,7 +7,7 @@
 #include "waywright/world.hpp"
 
 #include "constraint/batch.hpp"
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "support/random.hpp"
 #include "threads/thread_team.hpp"
@@ -17,7 +17,7 @@
 namespace waywright::test {
 namespace {
 
-using constraint::ExactTriangulation;
+using constraint::ConstrainedTriangulation;
 
 constexpr double kSize = 256;
 
@@ -53,11 +53,11 @@ std::vector<Item> sides(std::uint64_t seed, double unit, std::size_t count, std:
   return items;
 }
 
-ExactTriangulation load(const std::vector<Item>& items, std::size_t threads) {
+ConstrainedTriangulation load(const std::vector<Item>& items, std::size_t threads) {
   std::vector<ItemId> ids;
   for (const Item& item : items) ids.push_back(item.id);
-  return ExactTriangulation({{0, 0}, {kSize, kSize}}, constraint::ShapeBatch<Item>{items, ids},
-                            threads::ThreadTeam(threads, {}));
+  return ConstrainedTriangulation({{0, 0}, {kSize, kSize}}, constraint::ShapeBatch{items, ids},
+                                  threads::ThreadTeam(threads, {}));
 }
 
 /// The vertices, twins and labels of all half-edges.
@@ -81,7 +81,7 @@ constexpr Case kCases[] = {{0x1p-30, 9000, 0}, {0x1p-30, 6000, 6}, {0.5, 6000, 2
 TEST(BulkSides, AreTheSameMeshWithAnyNumberOfThreads) {
   for (const Case& scene : kCases) {
     const std::vector<Item> items = sides(scene.count, scene.unit, scene.count, scene.long_sides);
-    const ExactTriangulation alone = load(items, 1);
+    const ConstrainedTriangulation alone = load(items, 1);
     EXPECT_EQ(alone.find_fault().value_or(""), "") << scene.unit;
     const std::vector<std::uint32_t> expected = raw(alone.topology());
     for (const std::size_t threads : {2U, 5U}) {

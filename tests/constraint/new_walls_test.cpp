@@ -7,7 +7,7 @@
 
 #include "waywright/item.hpp"
 
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "support/case_count.hpp"
 #include "support/random.hpp"
@@ -15,7 +15,7 @@
 namespace waywright::test {
 namespace {
 
-using constraint::ExactTriangulation;
+using constraint::ConstrainedTriangulation;
 
 constexpr double kDomainSize = 8;
 
@@ -31,7 +31,7 @@ class NewWalls : public ::testing::Test {
   }
   /// Inserts the shapes as one operation. Returns what the triangulation says at its end.
   bool may_divide(const std::vector<Shape>& shapes) {
-    ExactTriangulation::UndoGuard operation(mesh_);
+    ConstrainedTriangulation::UndoGuard operation(mesh_);
     for (const Shape& shape : shapes) insert(shape);
     operation.commit();
     return mesh_.may_have_divided();
@@ -53,7 +53,7 @@ class NewWalls : public ::testing::Test {
     return result;
   }
 
-  ExactTriangulation mesh_{{{0, 0}, {kDomainSize, kDomainSize}}};
+  ConstrainedTriangulation mesh_{{{0, 0}, {kDomainSize, kDomainSize}}};
   std::vector<ItemId> live_;
 
  private:
@@ -134,11 +134,11 @@ TEST_F(NewWalls, RandomWallsThatDivideAreNeverMissed) {
       return static_cast<double>(random.below(static_cast<std::size_t>(kDomainSize) + 1));
     };
     const auto corner = [&] { return Point{coordinate(), coordinate()}; };
-    mesh_ = ExactTriangulation{{{0, 0}, {kDomainSize, kDomainSize}}};
+    mesh_ = ConstrainedTriangulation{{{0, 0}, {kDomainSize, kDomainSize}}};
     live_.clear();
     for (int step = 0; step < 5; ++step) {
       const std::vector<std::size_t> before = regions();
-      ExactTriangulation::UndoGuard operation(mesh_);
+      ConstrainedTriangulation::UndoGuard operation(mesh_);
       for (std::size_t i = 0; i <= random.below(3); ++i) {
         if (!live_.empty() && random.chance(30)) remove(random.below(live_.size()));
         std::vector<Point> corners(2 + random.below(4));

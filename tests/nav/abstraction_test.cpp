@@ -29,7 +29,7 @@ class Reduced {
   explicit Reduced(const Box& domain) : mesh_(domain), abstraction_(mesh_) {}
 
   void apply(const std::vector<Change>& changes, const std::vector<ItemId>& ids) {
-    constraint::ExactTriangulation::UndoGuard operation(mesh_);
+    constraint::ConstrainedTriangulation::UndoGuard operation(mesh_);
     abstraction_.begin();
     for (std::size_t i = 0; i < changes.size(); ++i) {
       if (changes[i].kind != Change::Kind::insert) {
@@ -55,13 +55,13 @@ class Reduced {
   }
   void remove(ItemId id) { apply({{Change::Kind::remove, id, {}}}, {id}); }
 
-  [[nodiscard]] const constraint::ExactTriangulation& mesh() const { return mesh_; }
+  [[nodiscard]] const constraint::ConstrainedTriangulation& mesh() const { return mesh_; }
   [[nodiscard]] const Abstraction& abstraction() const { return abstraction_; }
   /// Returns the face that contains the point. Requires: the point lies inside a face.
   [[nodiscard]] Face face_at(const Point& point) const { return mesh::face(mesh_.triangulation().locate(point).h); }
 
  private:
-  constraint::ExactTriangulation mesh_;
+  constraint::ConstrainedTriangulation mesh_;
   Abstraction abstraction_;
   mesh::TouchedFaces touched_;
 };
@@ -69,7 +69,7 @@ class Reduced {
 /// The same abstraction, computed from the mesh by the simplest methods.
 class Expected {
  public:
-  explicit Expected(const constraint::ExactTriangulation& triangulation)
+  explicit Expected(const constraint::ConstrainedTriangulation& triangulation)
       : triangulation_(triangulation), mesh_(triangulation.topology()), set_(mesh_.face_slots()) {
     std::iota(set_.begin(), set_.end(), 0U);
     for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i) {
@@ -186,7 +186,7 @@ class Expected {
     return std::nullopt;
   }
 
-  const constraint::ExactTriangulation& triangulation_;
+  const constraint::ConstrainedTriangulation& triangulation_;
   const mesh::TriangleMesh& mesh_;
   std::vector<std::uint32_t> faces_;
   std::vector<std::uint32_t> set_;  ///< a face of the same component, or the face itself

@@ -1,7 +1,7 @@
 #include "support/bridges_check.hpp"
 
 #include "clearance/clearance.hpp"
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "support/changes_check.hpp"
 #include "support/live_items.hpp"
 #include "support/random.hpp"
@@ -19,7 +19,7 @@ class WithBridges {
   enum class End : std::uint8_t { commit, roll_back };
 
   void make(const Step& step, const std::vector<ItemId>& ids, End end) {
-    constraint::ExactTriangulation::UndoGuard operation(mesh_);
+    constraint::ConstrainedTriangulation::UndoGuard operation(mesh_);
     clearance::Clearance::UndoGuard clearance_operation(clearance_);
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const Change& change = step.changes[i];
@@ -45,7 +45,7 @@ class WithBridges {
   void shrink_to_fit() { clearance_.shrink_to_fit(mesh_); }
 
  private:
-  constraint::ExactTriangulation mesh_;
+  constraint::ConstrainedTriangulation mesh_;
   clearance::Clearance clearance_;
   mesh::TouchedFaces touched_;
 };

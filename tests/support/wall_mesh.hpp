@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "clearance/bridges.hpp"
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "nav/two_core.hpp"
 #include "support/disc_scenes.hpp"
 
@@ -14,7 +14,7 @@ namespace waywright::test {
 class WallMesh {
  public:
   explicit WallMesh(const disc::NamedScene& scene) : walls_(scene.domain) {
-    constraint::ExactTriangulation::UndoGuard operation(walls_);
+    constraint::ConstrainedTriangulation::UndoGuard operation(walls_);
     std::uint64_t id = 0;
     for (const auto& [a, b] : scene.walls.segments) {
       if (!(a == b)) walls_.insert(Shape::segment(a, b), ItemId{++id});
@@ -24,13 +24,13 @@ class WallMesh {
     core_.emplace(walls_);
   }
 
-  [[nodiscard]] const constraint::ExactTriangulation& walls() const { return walls_; }
+  [[nodiscard]] const constraint::ConstrainedTriangulation& walls() const { return walls_; }
   [[nodiscard]] const clearance::Bridges& bridges() const { return *bridges_; }
   [[nodiscard]] const nav::TwoCore& core() const { return *core_; }
   [[nodiscard]] Point position(mesh::Vertex v) const { return walls_.triangulation().geometry().rounded(number(v)); }
 
  private:
-  constraint::ExactTriangulation walls_;
+  constraint::ConstrainedTriangulation walls_;
   std::optional<clearance::Bridges> bridges_;
   std::optional<nav::TwoCore> core_;
 };
