@@ -127,15 +127,15 @@ void Feet::free_row(std::uint32_t row) {
 void Feet::begin() {
   feet_.begin();
   rows_.begin();
-  free_feet_before_ = free_feet_;
-  free_rows_before_ = free_rows_;
+  free_feet_.begin();
+  free_rows_.begin();
 }
 
 void Feet::roll_back() {
   feet_.roll_back();
   rows_.roll_back();
-  free_feet_ = free_feet_before_;
-  free_rows_ = free_rows_before_;
+  free_feet_.roll_back();
+  free_rows_.roll_back();
 }
 
 void Feet::count_memory(MemoryUse& use) const {

@@ -166,8 +166,8 @@ class Feet {
 
   memory::JournaledArray<Foot> feet_;
   memory::JournaledArray<Row> rows_;
-  memory::FreeList free_feet_, free_feet_before_;  ///< linked by Foot::left
-  memory::FreeList free_rows_, free_rows_before_;  ///< linked by Row::root
+  memory::FreeList free_feet_;  ///< linked by Foot::left
+  memory::FreeList free_rows_;  ///< linked by Row::root
 };
 
 }  // namespace waywright::clearance

@@ -17,14 +17,14 @@ Box WallTree::box_of(const Triangulation& triangulation, HalfEdge wall) {
 void WallTree::begin() {
   nodes_.begin();
   leaf_at_.begin();
-  free_nodes_before_ = free_nodes_;
+  free_nodes_.begin();
   trees_before_ = trees_;
 }
 
 void WallTree::roll_back() {
   nodes_.roll_back();
   leaf_at_.roll_back();
-  free_nodes_ = free_nodes_before_;
+  free_nodes_.roll_back();
   trees_.swap(trees_before_);
 }
 

@@ -164,7 +164,7 @@ class WallTree {
 
   memory::JournaledArray<Node> nodes_;
   memory::JournaledArray<std::uint32_t> leaf_at_;
-  memory::FreeList free_nodes_, free_nodes_before_;  ///< linked by Node::parent
+  memory::FreeList free_nodes_;  ///< linked by Node::parent
   std::vector<Tree> trees_, trees_before_;
 
   // Scratch.

@@ -123,12 +123,12 @@ void UseLists::free_node(Uses list) {
 
 void UseLists::begin() {
   nodes_.begin();
-  free_nodes_before_ = free_nodes_;
+  free_nodes_.begin();
 }
 
 void UseLists::roll_back() {
   nodes_.roll_back();
-  free_nodes_ = free_nodes_before_;
+  free_nodes_.roll_back();
 }
 
 }  // namespace waywright::constraint

@@ -105,7 +105,6 @@ class UseLists {
 
   memory::JournaledArray<Node> nodes_;
   memory::FreeList free_nodes_;  ///< linked by Node::less
-  memory::FreeList free_nodes_before_;
 };
 
 }  // namespace waywright::constraint

@@ -28,8 +28,13 @@ class FreeList {
     return slot;
   }
 
+  /// roll_back() takes the list back to the last begin(). The owner takes back the links in the table.
+  void begin() { first_before_ = first_; }
+  void roll_back() { first_ = first_before_; }
+
  private:
   std::uint32_t first_ = kEnd;
+  std::uint32_t first_before_ = kEnd;
 };
 
 }  // namespace waywright::memory

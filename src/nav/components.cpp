@@ -297,7 +297,7 @@ void Components::begin() {
   covers_.begin();
   ids_.begin();
   records_.begin();
-  free_records_before_ = free_records_;
+  free_records_.begin();
   free_count_before_ = free_count_;
 }
 
@@ -305,7 +305,7 @@ void Components::roll_back() {
   covers_.roll_back();
   ids_.roll_back();
   records_.roll_back();
-  free_records_ = free_records_before_;
+  free_records_.roll_back();
   free_count_ = free_count_before_;
 }
 

@@ -115,7 +115,6 @@ class Components {
   CoverTree covers_;
   memory::FreeList free_records_;  ///< linked by Record::size
   std::size_t free_count_ = 0;
-  memory::FreeList free_records_before_;
   std::size_t free_count_before_ = 0;
 
   // Scratch.

@@ -141,13 +141,13 @@ void CoverTree::free(Set node) {
 void CoverTree::begin() {
   nodes_.begin();
   old_firsts_.begin();
-  free_nodes_before_ = free_nodes_;
+  free_nodes_.begin();
 }
 
 void CoverTree::roll_back() {
   nodes_.roll_back();
   old_firsts_.roll_back([&](const OldFirst& old) { firsts_[old.polygon].node = old.node; });
-  free_nodes_ = free_nodes_before_;
+  free_nodes_.roll_back();
 }
 
 void CoverTree::count_memory(MemoryUse& use, std::size_t MemoryUse::*part) const {

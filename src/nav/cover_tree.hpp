@@ -118,8 +118,7 @@ class CoverTree {
   memory::JournaledArray<Node> nodes_;
   memory::Pages<First> firsts_;  ///< by polygon; in a large world, perhaps only few items are polygons
   memory::Journal<OldFirst> old_firsts_;
-  memory::FreeList free_nodes_;  ///< linked by Node::parent
-  memory::FreeList free_nodes_before_;
+  memory::FreeList free_nodes_;      ///< linked by Node::parent
   std::vector<std::uint32_t> kept_;  ///< scratch
 };
 
