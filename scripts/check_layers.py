@@ -46,10 +46,11 @@ ROOMS = {
     "src/locate": room(NUMBERS | {"threads", "exact", "mesh"}, VALUES),
     "src/delaunay": room(TRIANGULATION - {"delaunay"}, VALUES),
     "src/constraint": room(TRIANGULATION | {"text"}, VALUES | {"item.hpp", "mesh_snapshot.hpp", "ray.hpp"}),
-    "src/clearance": room(NAVIGATION, VALUES | {"item.hpp", "bridges.hpp"}),
+    "src/clearance": room(NAVIGATION, VALUES | {"item.hpp", "bridges.hpp", "clearance.hpp"}),
     "src/nav": room(NAVIGATION, VALUES | {"item.hpp"}),
-    "src/path": room(NAVIGATION | {"clearance", "nav"}, VALUES | {"item.hpp", "path.hpp", "search_window.hpp"}),
+    "src/path": room(NAVIGATION | {"clearance", "nav"}, VALUES | {"item.hpp", "clearance.hpp", "path.hpp", "search_window.hpp"}),
     "src/world": room(WORLD, ALL),
+    "src/watch": room(WORLD | {"world"}, ALL),
     "src/io": room(["base", "text"], ALL),
     "bindings/python": room([], ALL, ("pybind11/",)),
     "bindings/c": room([], ALL, ("stddef.h", "stdint.h")),
@@ -59,7 +60,7 @@ ROOMS = {
     "examples": room([], ALL),
     "examples/lockstep": room([], ALL, BOOST),
     "bench": room(NAVIGATION | {"text"}, ALL, ALL),
-    "tests": room(WORLD | {"world", "io", "formats", "oracle", "bench"}, ALL, ALL),
+    "tests": room(WORLD | {"world", "watch", "io", "formats", "oracle", "bench"}, ALL, ALL),
     "tests/oracle": room([], libraries=ALL),
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <tuple>
 #include <utility>
 
@@ -69,6 +70,11 @@ Bridges::Bridges(const Triangulation& triangulation, const SearchLimits& limits)
   shrink_to_fit();
 }
 
+std::uint64_t Bridges::new_state() {
+  static std::atomic<std::uint64_t> last = 0;
+  return last.fetch_add(1, std::memory_order_relaxed) + 1;
+}
+
 void Bridges::grow_to_mesh(const mesh::TriangleMesh& mesh) {
   acute_.grow_to(mesh.face_slots());
   corners_.grow_to(std::size_t{3} * mesh.face_slots(), 0);
@@ -84,6 +90,7 @@ void Bridges::begin() {
 }
 
 void Bridges::roll_back() {
+  state_ = new_state();
   if (before_rebuild_) {
     swap_bridges(*before_rebuild_);
     return before_rebuild_.reset();
@@ -97,6 +104,7 @@ void Bridges::roll_back() {
 void Bridges::update(const Triangulation& triangulation, const mesh::TouchedFaces& touched,
                      const ChangedWalls& changed) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
+  state_ = new_state();
   Guard guard(*this);
   if (touched.are_most_faces()) {
     rebuild(triangulation);
@@ -520,7 +528,8 @@ void Bridges::count_memory(MemoryUse& use) const {
 }
 
 void Bridges::shrink_to_fit() {
-  begin();  // empties the logs
+  state_ = new_state();  // the numbers of slots may have changed
+  begin();               // empties the logs
   corners_.shrink_to_fit();
   walls_.shrink_to_fit();
   feet_.shrink_to_fit();

@@ -64,6 +64,10 @@ class Bridges {
   ~Bridges() = default;
 
   [[nodiscard]] const SearchLimits& limits() const { return limits_; }
+  /// A number above 0 that says which bridges these are: it changes whenever the bridges or the slots of the mesh
+  /// change, and no other object has ever had it. So a query can recognise the bridges about which it has learnt
+  /// something.
+  [[nodiscard]] std::uint64_t state() const { return state_; }
 
   /// Returns whether the edge of `h` is a bridge.
   [[nodiscard]] bool is_bridge(mesh::HalfEdge h) const { return (corners_[number(h)] & kIsBridge) != 0; }
@@ -125,6 +129,7 @@ class Bridges {
 
   static constexpr std::uint32_t kIsBridge = 1;
 
+  [[nodiscard]] static std::uint64_t new_state();
   void begin();
   void swap_bridges(Bridges& other);
   void rebuild(const Triangulation& triangulation);
@@ -175,6 +180,7 @@ class Bridges {
   Feet feet_;
   WallTree tree_;
   SearchLimits limits_;
+  std::uint64_t state_ = new_state();
   std::unique_ptr<Bridges> before_rebuild_;  ///< the bridges before the last update(), if it was a rebuild
 
   // Scratch.

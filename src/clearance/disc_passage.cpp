@@ -186,7 +186,7 @@ void GapMemory::put_into(const Cells& cells, std::uint32_t key, Id id) {
 }
 
 void DiscPassage::begin(const constraint::ConstrainedTriangulation& triangulation, const Bridges& bridges,
-                        std::uint64_t state, const Point& start, const Point& goal, double radius) {
+                        const Point& start, const Point& goal, double radius) {
   triangulation_ = &triangulation;
   bridges_ = &bridges;
   start_ = start;
@@ -195,7 +195,7 @@ void DiscPassage::begin(const constraint::ConstrainedTriangulation& triangulatio
   knows_cells_ = false;
   has_begun_ = false;
   known_.reset();
-  memory_.use(cells(), state);
+  memory_.use(cells(), bridges.state());
 }
 
 /// Finds the cells of the two ends. Returns whether both ends have one.
@@ -231,8 +231,8 @@ std::optional<bool> DiscPassage::search(NearWalls& near_walls, std::size_t count
   return has_ended ? std::optional(true) : std::nullopt;
 }
 
-void DiscPassage::find_gap(NearWalls& near_walls, WidestGap& gap) {
-  gap.clear();
+void DiscPassage::find_gap(NearWalls& near_walls, WidestPath& gap) {
+  clear(gap);
   if (!known_ && memory_.may_refuse(radius_)) (void)remembers_refusal(near_walls);
   if (!known_) {
     if (!begin_search(near_walls)) return;
@@ -245,7 +245,7 @@ void DiscPassage::find_gap(NearWalls& near_walls, WidestGap& gap) {
       has_begun_ = false;
     }
   }
-  write_gap(*triangulation_, *bridges_, *known_, gap);
+  write_widest(*triangulation_, *bridges_, *known_, gap);
 }
 
 }  // namespace waywright::clearance

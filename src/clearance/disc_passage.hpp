@@ -66,7 +66,7 @@ class DiscReach {
 class GapMemory {
  public:
   /// Forgets everything unless `state` is the state of the last call. Different states of bridges have different
-  /// numbers (Clearance::state()).
+  /// numbers (Bridges::state()).
   void use(const Cells& cells, std::uint64_t state);
   /// Returns whether the memory knows a gap that is too narrow for the disc. Without such a gap, find() finds nothing.
   [[nodiscard]] bool may_refuse(double radius) const { return radius > 0.5 * shortest_; }
@@ -123,11 +123,10 @@ class GapMemory {
 /// change.
 class DiscPassage {
  public:
-  /// Starts a decision. Requires: the disc fits at both positions; `state` is the number of the bridges
-  /// (Clearance::state()); the triangulation and the bridges exist and do not change until the decision ends. Cost:
-  /// O(1).
-  void begin(const constraint::ConstrainedTriangulation& triangulation, const Bridges& bridges, std::uint64_t state,
-             const Point& start, const Point& goal, double radius);
+  /// Starts a decision. Requires: the disc fits at both positions; the triangulation and the bridges exist and do not
+  /// change until the decision ends. Cost: O(1).
+  void begin(const constraint::ConstrainedTriangulation& triangulation, const Bridges& bridges, const Point& start,
+             const Point& goal, double radius);
   /// Returns whether an earlier decision in this state knows a gap that is too narrow for the disc.
   [[nodiscard]] bool may_remember() const { return memory_.may_refuse(radius_); }
   /// Returns whether an earlier decision shows that the disc cannot move to the goal. Cost: find_cell() for both ends.
@@ -136,7 +135,7 @@ class DiscPassage {
   /// or that it cannot. The result is nothing as long as this is not known.
   [[nodiscard]] std::optional<bool> search(NearWalls& near_walls, std::size_t count);
   /// Finds the gap that limits the discs that can move to the goal. If it stops this disc, remembers it.
-  void find_gap(NearWalls& near_walls, WidestGap& gap);
+  void find_gap(NearWalls& near_walls, WidestPath& gap);
 
  private:
   [[nodiscard]] Cells cells() const { return {*triangulation_, *bridges_}; }

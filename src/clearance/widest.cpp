@@ -143,22 +143,44 @@ WidestSearch::Sides WidestSearch::sides(const Cells& cells) const {
           {{beyond, keys.subspan(narrower.entered_before_level)}, {beyond, other.entered}}};
 }
 
+namespace {
+
+/// Sorts a list and removes repeated elements.
+void keep_one_of_each(std::vector<ItemId>& ids) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+}  // namespace
+
 void WidestGapFinder::find(const constraint::ConstrainedTriangulation& triangulation, const Bridges& bridges,
-                           NearWalls& near_walls, const Point& start, const Point& goal, WidestGap& result) {
-  result.clear();
+                           NearWalls& near_walls, const Point& start, const Point& goal, WidestPath& result) {
+  clear(result);
   const auto start_cell = near_walls.find_cell(triangulation, bridges, start);
   if (!start_cell) return;
   const auto goal_cell = near_walls.find_cell(triangulation, bridges, goal);
   if (!goal_cell) return;
-  write_gap(triangulation, bridges, search_.find(Cells(triangulation, bridges), *start_cell, *goal_cell), result);
+  write_widest(triangulation, bridges, search_.find(Cells(triangulation, bridges), *start_cell, *goal_cell), result);
 }
 
-void write_gap(const constraint::ConstrainedTriangulation& triangulation, const Bridges& bridges,
-               const Narrowest& narrowest, WidestGap& result) {
-  result.clear();
-  const Cells cells(triangulation, bridges);
+void clear(WidestPath& result) {
+  result.is_connected = result.is_limited = false;
+  result.radius = 0.0;
+  result.from = result.to = {};
+  result.from_items.clear();
+  result.to_items.clear();
+}
+
+void write_widest(const constraint::ConstrainedTriangulation& triangulation, const Bridges& bridges,
+                  const Narrowest& narrowest, WidestPath& result) {
+  clear(result);
   result.is_connected = narrowest.is_connected;
-  if (!narrowest.gate) return;
+  if (!narrowest.is_connected) return;
+  if (!narrowest.gate) {
+    result.radius = std::numeric_limits<double>::infinity();
+    return;
+  }
+  const Cells cells(triangulation, bridges);
   const CellEdge& gate = *narrowest.gate;
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const exact::Gap gap = cells.canonical_gap(gate);
@@ -170,13 +192,17 @@ void write_gap(const constraint::ConstrainedTriangulation& triangulation, const 
       gap.from == triangulation.triangulation().geometry().rounded(number(mesh.origin(gate.h)));
   const mesh::Vertex from = starts_at_origin ? mesh.origin(gate.h) : mesh.target(gate.h);
   const mesh::Vertex to = starts_at_origin ? mesh.target(gate.h) : mesh.origin(gate.h);
-  const auto add_to = [&](std::uint32_t slot) { result.to_items.push_back(slot); };
-  for_each_item_at(triangulation, from, [&](std::uint32_t slot) { result.from_items.push_back(slot); });
+  const auto add_to = [&](std::vector<ItemId>& ids) {
+    return [&triangulation, &ids](std::uint32_t slot) { ids.push_back(triangulation.items().id(slot)); };
+  };
+  for_each_item_at(triangulation, from, add_to(result.from_items));
   if (gate.kind == CellEdge::Kind::bridge) {
-    for_each_item_at(triangulation, to, add_to);
+    for_each_item_at(triangulation, to, add_to(result.to_items));
   } else {
-    for_each_item_on(triangulation, bridges.wall_of(gate.foot), add_to);
+    for_each_item_on(triangulation, bridges.wall_of(gate.foot), add_to(result.to_items));
   }
+  keep_one_of_each(result.from_items);
+  keep_one_of_each(result.to_items);
 }
 
 }  // namespace waywright::clearance

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "waywright/clearance.hpp"
 #include "waywright/point.hpp"
 
 #include "clearance/bridges.hpp"
@@ -113,28 +114,6 @@ class WidestSearch {
   memory::Stamp stamp_;
 };
 
-/// The radius of the largest disc that can move from one position to another, and the gap that stops every larger disc.
-struct WidestGap {
-  bool is_connected = false;  ///< whether a disc of some radius above 0 can move from one to the other
-  bool is_limited = false;    ///< whether a gap limits the disc; if not, all of the following is empty
-  double radius = 0.0;        ///< half the length of the gap, rounded down
-  Point from;                 ///< the vertex at which the gap starts
-  Point to;                   ///< where the gap ends: a vertex, or the rounded foot on a wall
-  /// The items with a side at `from`, and at `to`, by slot. An item may be listed several times. The domain has the
-  /// slot 0.
-  std::vector<std::uint32_t> from_items;
-  std::vector<std::uint32_t> to_items;
-
-  /// Makes the gap of two positions that are not connected. Keeps the memory of the lists.
-  void clear() {
-    is_connected = is_limited = false;
-    radius = 0.0;
-    from = to = {};
-    from_items.clear();
-    to_items.clear();
-  }
-};
-
 /// Finds the widest gap between two positions. The answer depends only on the positions of the walls. Use one object
 /// for many queries, because it keeps its memory.
 class WidestGapFinder {
@@ -142,14 +121,16 @@ class WidestGapFinder {
   /// Requires: `bridges` belongs to the triangulation, and both points lie in its domain. A position on a wall is
   /// connected with no other.
   void find(const constraint::ConstrainedTriangulation& triangulation, const Bridges& bridges, NearWalls& near_walls,
-            const Point& start, const Point& goal, WidestGap& result);
+            const Point& start, const Point& goal, WidestPath& result);
 
  private:
   WidestSearch search_;
 };
 
-/// Writes the answer of a search as a gap.
-void write_gap(const constraint::ConstrainedTriangulation& triangulation, const Bridges& bridges,
-               const Narrowest& narrowest, WidestGap& result);
+/// Makes `result` the answer for two positions that are not connected. Keeps the memory of its lists.
+void clear(WidestPath& result);
+/// Writes the answer of a search.
+void write_widest(const constraint::ConstrainedTriangulation& triangulation, const Bridges& bridges,
+                  const Narrowest& narrowest, WidestPath& result);
 
 }  // namespace waywright::clearance

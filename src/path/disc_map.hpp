@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "clearance/bridges.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "constraint/distances.hpp"
-#include "constraint/exact_triangulation.hpp"
 #include "exact/gap.hpp"
 #include "nav/two_core.hpp"
 
@@ -23,7 +23,7 @@ namespace waywright::path {
 class DiscMap {
  public:
   /// `two_core` is the two-core of the triangulation, or null. The search uses it to leave out dead ends.
-  DiscMap(const constraint::ExactTriangulation& triangulation_of_walls, const clearance::Bridges& all_bridges,
+  DiscMap(const constraint::ConstrainedTriangulation& triangulation_of_walls, const clearance::Bridges& all_bridges,
           double radius_of_disc, const Point& start, const nav::TwoCore* two_core = nullptr)
       : triangulation(triangulation_of_walls), bridges(all_bridges), core(two_core), exact_radius(radius_of_disc) {
     const Box& domain = triangulation.domain();
@@ -42,7 +42,7 @@ class DiscMap {
     surely_long = 4.0 * longer * longer;
   }
 
-  const constraint::ExactTriangulation& triangulation;
+  const constraint::ConstrainedTriangulation& triangulation;
   const clearance::Bridges& bridges;
   const nav::TwoCore* core;
   double exact_radius;

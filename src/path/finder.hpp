@@ -1,85 +1,67 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <vector>
 
 #include "waywright/path.hpp"
 #include "waywright/search_window.hpp"
 
-#include "path/ends.hpp"
-#include "path/optimal.hpp"
-#include "path/ta_star.hpp"
-#include "path/tra_star.hpp"
+#include "path/disc_finder.hpp"
+#include "path/fit_finder.hpp"
+#include "path/ground.hpp"
+#include "path/point_finder.hpp"
 
 namespace waywright::path {
 
-/// Answers path queries, in one call or in slices. Use one object for many queries, because it keeps its memory.
+/// Answers path queries for agents of any radius, in one call or in slices. Use one object for many queries, because it
+/// keeps its memory.
 class Finder {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  /// `fits` must exist as long as this object.
+  explicit Finder(FitFinder& fits) : disc_(fits) {}
 
-  /// Starts a search. Requires: both ends lie in the domain; the library supports the algorithm; for `tra`,
-  /// `abstraction` is not null; the triangulation and the abstraction do not change until the search is done or
-  /// cancelled.
-  ///
-  /// If `looked_at` is not null, the search records in it the faces at which it looks. Then the mesh may change during
-  /// the search, as long as no change touches one of these faces. A change touches a face f if it makes, rebuilds or
-  /// frees a face that shares a vertex with f, or if it changes the entry of f in the abstraction.
-  void begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const PathQuery& query,
-             Path& path, LookedAt* looked_at = nullptr);
-  /// Call this after begin(): if the algorithm is `optimal`, the search appends each window that it follows to
-  /// `windows`.
-  /// Requires: the search records the faces at which it looks.
-  void record_windows(std::vector<SearchWindow>& windows) {
-    if (!is_done_ && query_.algorithm == PathAlgorithm::optimal) optimal_.record_windows(windows);
+  /// Starts a search. Requires: the query has no error; the ground does not change until the search is done or
+  /// cancelled. PointFinder::begin() says what `looked_at` is for; the search for a disc ignores it.
+  void begin(const Ground& ground, const PathQuery& query, Path& path, LookedAt* looked_at = nullptr) {
+    is_for_disc_ = query.agent.radius > 0.0;
+    if (is_for_disc_) {
+      disc_.begin(ground, query, path);
+    } else {
+      point_.begin(ground, query, path, looked_at);
+    }
   }
-  /// Continues the search until it has entered `expansions` further triangles, or a few more. Returns whether the
-  /// search is done. `path` is then the best path so far.
-  bool step(std::size_t expansions, Path& path);
+  /// See PointFinder::record_windows(). The search for a disc has no windows.
+  void record_windows(std::vector<SearchWindow>& windows) {
+    if (!is_for_disc_) point_.record_windows(windows);
+  }
+  /// Continues the search until it has made `expansions` further expansions, or a few more. Returns whether the search
+  /// is done. `path` is then the best path so far.
+  bool step(std::size_t expansions, Path& path) {
+    return is_for_disc_ ? disc_.step(expansions, path) : point_.step(expansions, path);
+  }
+  /// Call it before step() if the world has changed since the last step. Returns whether the search must begin again.
+  /// `has_touched()` says whether a change has touched a face at which the search has looked. The search for a disc
+  /// does not record what it has looked at, so every change concerns it.
+  template <class HasTouched>
+  [[nodiscard]] bool must_begin_again(HasTouched&& has_touched) {
+    if (is_for_disc_) return true;
+    point_.grow_to_mesh();
+    return has_touched() || point_.has_covered_end();
+  }
 
-  /// Makes room for faces and vertices that were added to the mesh. Call it before step() if the mesh has changed since
-  /// the last step.
-  void grow_to_mesh();
-  /// Returns whether the search is not done and a polygon now covers one of its ends.
-  [[nodiscard]] bool has_covered_end() { return !is_done_ && ends_.are_covered(); }
-
-  /// Finds the shortest path to each goal. Requires: all points lie in the domain.
-  void find_all(const Triangulation& triangulation, const nav::Abstraction* abstraction, const ManyGoalsQuery& query,
-                std::vector<Path>& paths);
+  /// Finds the shortest path to each goal. Requires: the query has no error.
+  void find_all(const Ground& ground, const ManyGoalsQuery& query, std::vector<Path>& paths) {
+    if (query.agent.radius > 0.0) {
+      disc_.find_all(ground, query, paths);
+    } else {
+      point_.find_all(ground, query, paths);
+    }
+  }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  [[nodiscard]] bool search(std::size_t limit, Path& path);
-  [[nodiscard]] bool search_ta(std::size_t limit, Path& path);
-  [[nodiscard]] bool search_optimal(std::size_t limit, Path& path);
-  void find_pending_paths(bool wants_points, std::size_t& expansions, std::vector<Path>& paths);
-  void begin_optimal(double known_length);
-  [[nodiscard]] Optimal::Start search_start() const {
-    return {ends_.start(), ends_.start_location().kind, ends_.start_faces()};
-  }
-  void look_at_ends();
-  void write_straight(bool wants_channel, Path& path) const;
-  [[nodiscard]] bool is_over_budget(const Path& path) const;
-  [[nodiscard]] bool has_time_limit() const;
-  void finish(Path& path) const;
-
-  const Triangulation* triangulation_ = nullptr;
-  const nav::Abstraction* abstraction_ = nullptr;  ///< or null
-  LookedAt* looked_at_ = nullptr;                  ///< or null
-  PathQuery query_;
-  bool is_done_ = true;
-  bool is_searched_ = false;  ///< whether a search was necessary
-  bool is_proving_ = false;   ///< whether `ta` has followed all channels, and `optimal` continues the search
-  double ta_bound_ = 0.0;     ///< the lower bound that `ta` has proven
-  Clock::time_point start_time_;
-  Ends ends_;
-  TaStar ta_;
-  TraStar tra_;
-  Optimal optimal_;
-  std::vector<std::size_t>
-      pending_goals_;  ///< in a query of many goals: the goals for which find_pending_paths() will search
+  bool is_for_disc_ = false;
+  PointFinder point_;
+  DiscFinder disc_;
 };
 
 }  // namespace waywright::path

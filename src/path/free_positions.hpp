@@ -7,8 +7,8 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "constraint/cover_finder.hpp"
-#include "constraint/exact_triangulation.hpp"
 #include "locate/walk.hpp"
 #include "memory/pages.hpp"
 #include "memory/stamp.hpp"
@@ -21,7 +21,7 @@ namespace waywright::path {
 /// its memory.
 class FreePositions {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   /// The faces with which a free position must be connected: only faces in the components of these faces are allowed.
   struct Connection {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 
 namespace waywright::path {
 

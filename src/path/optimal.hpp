@@ -14,10 +14,10 @@
 #include "memory/zeroed_array.hpp"
 #include "nav/abstraction.hpp"
 #include "nav/point_agent.hpp"
-#include "path/ends.hpp"
 #include "path/guide_distances.hpp"
 #include "path/looked_at.hpp"
 #include "path/open_list.hpp"
+#include "path/point_ends.hpp"
 
 namespace waywright::path {
 
@@ -44,7 +44,7 @@ namespace waywright::path {
 ///   chain, move as one *bundle*.
 class Optimal {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
   using Geometry = exact::Geometry;
 
   /// Where a search starts: a point, where it lies on the mesh, and a half-edge of each open face around it. If the

@@ -7,8 +7,8 @@
 
 #include "waywright/point.hpp"
 
+#include "constraint/constrained_triangulation.hpp"
 #include "constraint/cover_finder.hpp"
-#include "constraint/exact_triangulation.hpp"
 #include "locate/walk.hpp"
 
 namespace waywright::path {
@@ -24,7 +24,7 @@ namespace waywright::path {
 /// Use one object for many polylines, because it keeps its memory.
 class PolylineWalk {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   /// Returns whether the agent can walk from the first point to the last along straight segments. A point between the
   /// first and the last may mean this point, or any crossing of sides that has the same rounded coordinates, because a

@@ -7,7 +7,7 @@
 
 namespace waywright::path {
 
-void TaStar::begin(const Triangulation& triangulation, const Ends& ends, LookedAt* looked_at) {
+void TaStar::begin(const Triangulation& triangulation, const PointEnds& ends, LookedAt* looked_at) {
   ends_ = &ends;
   looked_at_ = looked_at;
   mesh_ = &triangulation.topology();

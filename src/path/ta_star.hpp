@@ -8,9 +8,9 @@
 
 #include "memory/stamp.hpp"
 #include "memory/zeroed_array.hpp"
-#include "path/ends.hpp"
 #include "path/looked_at.hpp"
 #include "path/open_list.hpp"
+#include "path/point_ends.hpp"
 #include "path/taut_tree.hpp"
 
 namespace waywright::path {
@@ -28,13 +28,13 @@ namespace waywright::path {
 /// funnel gives a tighter bound at the same cost.
 class TaStar {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   /// Starts a search between two ends. If `looked_at` is not null, the search records in it the faces at which it
   /// looks. Then the triangulation may change, as in Optimal::begin().
   /// Requires: no face contains both ends; the ends do not change during the search and, without `looked_at`, the
   /// triangulation does not change either.
-  void begin(const Triangulation& triangulation, const Ends& ends, LookedAt* looked_at);
+  void begin(const Triangulation& triangulation, const PointEnds& ends, LookedAt* looked_at);
   /// Makes room for faces that were added to the mesh after begin().
   void grow_to_mesh() { entered_.grow_to(std::size_t{3} * mesh_->face_slots()); }
   /// Continues the search until one of three things happens: `path.expansions` reaches `limit`; the search finds a path
@@ -67,7 +67,7 @@ class TaStar {
   [[nodiscard]] double bound(const Funnel& funnel) const;
   [[nodiscard]] double lower_bound() const;
 
-  const Ends* ends_ = nullptr;
+  const PointEnds* ends_ = nullptr;
   const mesh::TriangleMesh* mesh_ = nullptr;
   LookedAt* looked_at_ = nullptr;  ///< or null
   TautTree tree_;

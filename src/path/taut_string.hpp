@@ -6,7 +6,7 @@
 
 #include "waywright/point.hpp"
 
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 
 namespace waywright::path {
 

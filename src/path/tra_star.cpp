@@ -12,7 +12,7 @@ namespace waywright::path {
 using mesh::Face;
 using mesh::HalfEdge;
 
-void TraStar::begin(const Triangulation& triangulation, const nav::Abstraction& abstraction, const Ends& ends) {
+void TraStar::begin(const Triangulation& triangulation, const nav::Abstraction& abstraction, const PointEnds& ends) {
   ends_ = &ends;
   mesh_ = &triangulation.topology();
   geometry_ = &triangulation.triangulation().geometry();

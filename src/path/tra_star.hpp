@@ -9,8 +9,8 @@
 #include "memory/zeroed_array.hpp"
 #include "nav/abstraction.hpp"
 #include "path/channel_node.hpp"
-#include "path/ends.hpp"
 #include "path/open_list.hpp"
+#include "path/point_ends.hpp"
 #include "path/sight.hpp"
 #include "path/taut_string.hpp"
 
@@ -30,11 +30,11 @@ namespace waywright::path {
 /// which edge the search has entered the corridor.
 class TraStar {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   /// Starts a search between two ends. Requires: the ends are connected; no face contains both ends; the ends, the
   /// triangulation and its abstraction do not change during the search.
-  void begin(const Triangulation& triangulation, const nav::Abstraction& abstraction, const Ends& ends);
+  void begin(const Triangulation& triangulation, const nav::Abstraction& abstraction, const PointEnds& ends);
   /// Finds the path.
   void find(Path& path);
   /// Writes to Path::channel the edges that the path crosses. Requires: find() has found the path.
@@ -74,7 +74,7 @@ class TraStar {
   void write_path(Path& path);
   [[nodiscard]] const Point& position_of(mesh::Vertex v) const { return geometry_->rounded(number(v)); }
 
-  const Ends* ends_ = nullptr;
+  const PointEnds* ends_ = nullptr;
   const mesh::TriangleMesh* mesh_ = nullptr;
   const exact::Geometry* geometry_ = nullptr;
   const nav::TwoCore* core_ = nullptr;

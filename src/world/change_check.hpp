@@ -10,7 +10,7 @@
 #include "waywright/item.hpp"
 
 #include "constraint/batch.hpp"
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 
 namespace waywright {
 
@@ -25,7 +25,7 @@ class ChangeCheck {
   /// points whose ids ascend. If the check does not remember them, it allocates nothing.
   enum class Record { no, yes };
 
-  ChangeCheck(const constraint::ExactTriangulation& triangulation, Record record)
+  ChangeCheck(const constraint::ConstrainedTriangulation& triangulation, Record record)
       : triangulation_(triangulation),
         keeps_record_(record == Record::yes),
         largest_(triangulation.items().largest_id_seen()),
@@ -47,7 +47,7 @@ class ChangeCheck {
   [[nodiscard]] bool is_live(ItemId id) const;
   void remember_insertion(ItemId id);
 
-  const constraint::ExactTriangulation& triangulation_;
+  const constraint::ConstrainedTriangulation& triangulation_;
   bool keeps_record_;
   ItemId largest_;                            ///< the largest id so far, including accepted changes
   std::size_t vertex_count_;                  ///< an upper bound, after the accepted changes, without new crossings

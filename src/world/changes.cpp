@@ -31,7 +31,7 @@ threads::ThreadTeam team_of(const BulkOptions& options, std::size_t total) {
 }
 
 /// Returns a check for a single change.
-ChangeCheck check_one(const constraint::ExactTriangulation& triangulation) {
+ChangeCheck check_one(const constraint::ConstrainedTriangulation& triangulation) {
   return {triangulation, ChangeCheck::Record::no};
 }
 
@@ -65,7 +65,7 @@ Error in_list(const char* element, std::uint64_t i, Error error) {
 }
 
 /// Returns the id of the item of each change, or the error of the first change that the world refuses.
-Result<std::vector<ItemId>> check_all(const constraint::ExactTriangulation& triangulation,
+Result<std::vector<ItemId>> check_all(const constraint::ConstrainedTriangulation& triangulation,
                                       std::span<const Change> changes) {
   ChangeCheck check(triangulation, ChangeCheck::Record::yes);
   std::vector<ItemId> ids;
@@ -79,31 +79,10 @@ Result<std::vector<ItemId>> check_all(const constraint::ExactTriangulation& tria
 
 }  // namespace
 
-void World::Impl::add_removal_to_history(std::uint32_t slot) {
-  if (!history.is_recording()) return;
-  const constraint::ItemTable& items = triangulation.items();
-  const exact::Geometry& geometry = triangulation.triangulation().geometry();
-  history.add_removal(items.id(slot), items.kind(slot), items.fill(slot));
-  bool starts_ring = true;
-  items.for_each_corner(slot, [&](mesh::Vertex corner, bool ends_ring) {
-    if (starts_ring) history.add_ring();
-    history.add_point(geometry.rounded(number(corner)));
-    starts_ring = ends_ring;
-  });
-}
-
-void World::Impl::add_removal_to_change_log(std::uint32_t slot) {
-  if (triangulation.items().kind(slot) == ItemKind::point) return;
-  triangulation.items().outline(slot, outline);
-  const exact::Geometry& geometry = triangulation.triangulation().geometry();
-  change_log.add_removal();
-  for (const mesh::Vertex v : outline.corners) change_log.add_point(geometry.rounded(number(v)));
-}
-
 Result<ItemId> World::insert(const Shape& shape, ItemId id) {
   WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
-  if (auto error = check_one(impl_->triangulation).add_insertion(shape, id)) return *std::move(error);
+  if (auto error = check_one(impl_->triangulation()).add_insertion(shape, id)) return *std::move(error);
   Operation operation(*impl_);
   if (auto error = operation.insert(shape, id)) return *std::move(error);
   operation.commit();
@@ -121,7 +100,7 @@ Result<ItemId> World::insert_polygon(Rings rings, ItemId id) { return insert(Sha
 Result<void> World::remove(ItemId id) {
   WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
-  if (auto error = check_one(impl_->triangulation).add_removal(id)) return *std::move(error);
+  if (auto error = check_one(impl_->triangulation()).add_removal(id)) return *std::move(error);
   Operation operation(*impl_);
   operation.remove(id);
   operation.commit();
@@ -131,7 +110,7 @@ Result<void> World::remove(ItemId id) {
 Result<void> World::replace(ItemId id, const Shape& shape) {
   WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
-  if (auto error = check_one(impl_->triangulation).add_replacement(id, shape)) return *std::move(error);
+  if (auto error = check_one(impl_->triangulation()).add_replacement(id, shape)) return *std::move(error);
   Operation operation(*impl_);
   operation.remove(id);
   if (auto error = operation.insert(shape, id)) return *std::move(error);
@@ -159,7 +138,7 @@ std::optional<Error> World::Impl::make_changes(Operation& operation, std::span<c
 Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
   WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
-  Result<std::vector<ItemId>> ids = check_all(impl_->triangulation, changes);
+  Result<std::vector<ItemId>> ids = check_all(impl_->triangulation(), changes);
   if (!ids) return ids;
   if (count_insertions(changes) == changes.size()) {
     auto error = impl_->insert_all(constraint::ShapeBatch{changes, *ids});
@@ -176,7 +155,7 @@ Result<std::vector<ItemId>> World::apply(std::span<const Change> changes) {
 Result<void> World::begin_attempt(std::span<const Change> changes) {
   WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
-  const Result<std::vector<ItemId>> ids = check_all(impl_->triangulation, changes);
+  const Result<std::vector<ItemId>> ids = check_all(impl_->triangulation(), changes);
   if (!ids) return ids.error();
   detail::AttemptGuard guard(*this);
   Operation& operation = impl_->attempt.emplace(*impl_, Operation::Kind::attempt);
@@ -191,7 +170,7 @@ void World::end_attempt() noexcept { impl_->attempt.reset(); }
 Result<std::vector<ItemId>> World::insert_all(std::span<const Item> items, const BulkOptions& options) {
   WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
-  ChangeCheck check(impl_->triangulation, ChangeCheck::Record::yes);
+  ChangeCheck check(impl_->triangulation(), ChangeCheck::Record::yes);
   std::vector<ItemId> ids;
   ids.reserve(items.size());
   std::size_t total = items.size();
@@ -211,7 +190,7 @@ Result<std::vector<ItemId>> World::insert_all(std::span<const Item> items, const
 std::optional<Error> World::Impl::insert_points(const constraint::PointBatch& batch, const BulkOptions& options) {
   WAYWRIGHT_ASSERT(!attempt, kInAttempt);
   const base::FloatEnvironment environment;
-  ChangeCheck check(triangulation, ChangeCheck::Record::no);
+  ChangeCheck check(triangulation(), ChangeCheck::Record::no);
   if (auto error = check.add_points(batch)) return error;
   WAYWRIGHT_ASSERT(options.threads >= 1, kNoThread);
   if (auto error = insert_all(batch, team_of(options, batch.size()))) return error;
@@ -220,7 +199,7 @@ std::optional<Error> World::Impl::insert_points(const constraint::PointBatch& ba
 }
 
 Result<ItemId> World::insert_points(PointSpan points, ItemId first, const BulkOptions& options) {
-  if (first.is_null()) first = {impl_->triangulation.items().largest_id_seen().value + 1};
+  if (first.is_null()) first = {impl_->triangulation().items().largest_id_seen().value + 1};
   if (auto error = impl_->insert_points({points, first}, options)) return *std::move(error);
   return first;
 }

@@ -1,10 +1,13 @@
-#include <algorithm>
-#include <limits>
-#include <span>
+#include <optional>
 
 #include "waywright/world.hpp"
 
 #include "base/float_environment.hpp"
+#include "clearance/bridge_lister.hpp"
+#include "clearance/widest.hpp"
+#include "constraint/item_queries.hpp"
+#include "nav/abstraction.hpp"
+#include "path/fit_finder.hpp"
 #include "world/path_query_error.hpp"
 #include "world/point_error.hpp"
 #include "world/query_scratch.hpp"
@@ -16,22 +19,32 @@ namespace waywright {
 
 namespace {
 
-/// Appends the ids of items by slot.
-void append_ids(const constraint::ItemTable& items, std::span<const std::uint32_t> slots, std::vector<ItemId>& ids) {
-  for (const std::uint32_t slot : slots) ids.push_back(items.id(slot));
-}
-
-/// Sorts a list and removes repeated elements.
-void keep_one_of_each(std::vector<ItemId>& ids) {
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
-
 Error no_bridges_error() {
   return {ErrorCode::no_bridges,
           "the query needs a world that keeps its bridges: create it with the option keep_bridges",
           {},
           0};
+}
+
+std::optional<Error> find_nearest_fit_error(const Box& domain, const Kept& kept, const NearestFitQuery& query) {
+  if (auto error = find_point_error(domain, query.point, 0, "the point")) return error;
+  if (auto error = find_agent_error(query.agent)) return error;
+  if (!(query.limit >= 0.0)) {
+    return Error{ErrorCode::bad_distance, "the limit is negative or not a number", {}, 0};
+  }
+  if (!query.goal) return std::nullopt;
+  if (auto error = find_point_error(domain, *query.goal, 1, "the goal")) return error;
+  if (query.agent.radius > 0.0 && !kept.has_bridges) {
+    return Error{
+        ErrorCode::no_bridges,
+        "a goal and a radius above 0 need a world that keeps its bridges: create it with the option keep_bridges",
+        {},
+        0};
+  }
+  if (query.agent.radius == 0.0 && !kept.has_abstraction) {
+    return Error{ErrorCode::not_supported, "a goal and the radius 0 need a world that keeps its abstraction", {}, 0};
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -40,23 +53,8 @@ Result<void> World::fit_disc(Point centre, const Agent& agent, QueryContext& con
   const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), centre, 0, "the centre")) return *std::move(error);
   if (auto error = find_agent_error(agent)) return *std::move(error);
-  impl_->fit_disc(centre, agent, *context.scratch_, fit);
+  context.scratch_->fits->fit(impl_->ground(), centre, agent, fit);
   return {};
-}
-
-void World::Impl::fit_disc(const Point& centre, const Agent& agent, detail::QueryScratch& scratch, DiscFit& fit) const {
-  fit.items.clear();
-  if (agent.radius > 0.0) {
-    std::vector<std::uint32_t>& slots = scratch.items.slots;
-    slots.clear();
-    scratch.near_walls.find_items(triangulation, centre, agent.radius, slots);
-    append_ids(triangulation.items(), slots, fit.items);
-  }
-  scratch.cover_finder.use(kept_abstraction());
-  const locate::Located located = triangulation.triangulation().locate(centre);
-  append_ids(triangulation.items(), scratch.cover_finder.strictly_covering(triangulation, located), fit.items);
-  keep_one_of_each(fit.items);
-  fit.fits = fit.items.empty();
 }
 
 Result<DiscFit> World::fit_disc(Point centre, const Agent& agent) const {
@@ -66,15 +64,29 @@ Result<DiscFit> World::fit_disc(Point centre, const Agent& agent) const {
   return fit;
 }
 
+Result<void> World::nearest_fit(const NearestFitQuery& query, QueryContext& context, NearestFit& fit) const {
+  const base::FloatEnvironment environment;
+  if (auto error = find_nearest_fit_error(domain(), impl_->layers.kept(), query)) return *std::move(error);
+  context.scratch_->fits->find_nearest(impl_->ground(), query, fit);
+  return {};
+}
+
+Result<NearestFit> World::nearest_fit(const NearestFitQuery& query) const {
+  const SpareContext::Loan context = impl_->spare_context.borrow();
+  NearestFit fit;
+  if (auto done = nearest_fit(query, *context, fit); !done) return done.error();
+  return fit;
+}
+
 Result<void> World::ray(Point from, Point to, const Agent& agent, QueryContext& context, RayHit& hit) const {
   const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), from, 0, "the start")) return *std::move(error);
   if (auto error = find_point_error(domain(), to, 1, "the end")) return *std::move(error);
   if (auto error = find_agent_error(agent)) return *std::move(error);
   if (agent.radius == 0.0) {
-    constraint::first_wall(impl_->triangulation, from, to, hit);
+    constraint::first_wall(impl_->triangulation(), from, to, hit);
   } else {
-    context.scratch_->swept_disc.find_first_wall(impl_->triangulation, {from, to, agent.radius}, hit);
+    context.scratch_->swept_disc->find_first_wall(impl_->triangulation(), {from, to, agent.radius}, hit);
   }
   return {};
 }
@@ -91,40 +103,15 @@ Result<void> World::widest_path(Point start, Point goal, const Agent& /*agent*/,
   const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), start, 0, "the start")) return *std::move(error);
   if (auto error = find_point_error(domain(), goal, 1, "the goal")) return *std::move(error);
-  if (!impl_->clearance) return no_bridges_error();
-  impl_->widest_path(start, goal, *context.scratch_, widest);
-  return {};
-}
-
-void World::Impl::widest_path(const Point& start, const Point& goal, detail::QueryScratch& scratch,
-                              WidestPath& widest) const {
-  scratch.cover_finder.use(kept_abstraction());
-  const auto is_inside_polygon = [&](const Point& end) {
-    return scratch.cover_finder.is_strictly_inside(triangulation, triangulation.triangulation().locate(end));
-  };
-  auto& gap = scratch.widest_gap;
-  gap.clear();
-  const constraint::ExactTriangulation& walls = clearance->triangulation_of_walls(triangulation);
-  if (!is_inside_polygon(start) && !is_inside_polygon(goal)) {
-    scratch.widest_gap_finder.find(walls, clearance->bridges(), scratch.near_walls, start, goal, gap);
+  if (!impl_->layers.kept().has_bridges) return no_bridges_error();
+  const path::Ground ground = impl_->ground();
+  path::FitFinder& fits = *context.scratch_->fits;
+  if (fits.fits(ground, start, {}) && fits.fits(ground, goal, {})) {
+    context.scratch_->widest_gap_finder->find(*ground.walls, *ground.bridges, fits.near_walls(), start, goal, widest);
+  } else {
+    clearance::clear(widest);  // an end lies in the interior of a polygon
   }
-  write_widest(gap, widest);
-}
-
-void World::Impl::write_widest(const clearance::WidestGap& gap, WidestPath& widest) const {
-  const constraint::ItemTable& items = mesh_of_discs().items();
-  widest.is_connected = gap.is_connected;
-  widest.is_limited = gap.is_limited;
-  const bool is_unlimited = gap.is_connected && !gap.is_limited;
-  widest.radius = is_unlimited ? std::numeric_limits<double>::infinity() : gap.radius;
-  widest.from = gap.from;
-  widest.to = gap.to;
-  widest.from_items.clear();
-  widest.to_items.clear();
-  append_ids(items, gap.from_items, widest.from_items);
-  append_ids(items, gap.to_items, widest.to_items);
-  keep_one_of_each(widest.from_items);
-  keep_one_of_each(widest.to_items);
+  return {};
 }
 
 Result<WidestPath> World::widest_path(Point start, Point goal, const Agent& agent) const {
@@ -137,12 +124,11 @@ Result<WidestPath> World::widest_path(Point start, Point goal, const Agent& agen
 Result<void> World::bridges(const Box& box, QueryContext& context, BridgeList& list) const {
   const base::FloatEnvironment environment;
   if (auto error = find_box_error(box)) return *std::move(error);
-  if (!impl_->clearance) return no_bridges_error();
-  const clearance::Clearance& clearance = *impl_->clearance;
-  const constraint::ExactTriangulation& walls = clearance.triangulation_of_walls(impl_->triangulation);
-  nav::ComponentCoverFinder& cover_finder = context.scratch_->cover_finder;
-  cover_finder.use(impl_->kept_abstraction_for_discs());
-  context.scratch_->bridge_lister.list(walls, clearance.bridges(), cover_finder, box, list);
+  if (!impl_->layers.kept().has_bridges) return no_bridges_error();
+  const path::Ground ground = impl_->ground();
+  nav::ComponentCoverFinder& cover_finder = *context.scratch_->cover_finder;
+  cover_finder.use(ground.abstraction_of_walls);
+  context.scratch_->bridge_lister->list(*ground.walls, *ground.bridges, cover_finder, box, list);
   return {};
 }
 

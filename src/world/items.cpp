@@ -1,5 +1,6 @@
 #include "waywright/world.hpp"
 
+#include "constraint/item_queries.hpp"
 #include "world/change_check.hpp"
 #include "world/item_shape.hpp"
 #include "world/query_scratch.hpp"
@@ -9,7 +10,7 @@
 
 namespace waywright {
 
-void fill_shape(const constraint::ExactTriangulation& triangulation, ItemId id, Shape& shape) {
+void fill_shape(const constraint::ConstrainedTriangulation& triangulation, ItemId id, Shape& shape) {
   const constraint::ItemTable& items = triangulation.items();
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
   const std::uint32_t slot = items.slot(id);
@@ -29,26 +30,26 @@ void fill_shape(const constraint::ExactTriangulation& triangulation, ItemId id, 
   if (is_one_point) shape.rings.add_point(shape.rings[0][0]);
 }
 
-ItemId World::largest_id_seen() const { return impl_->triangulation.items().largest_id_seen(); }
+ItemId World::largest_id_seen() const { return impl_->triangulation().items().largest_id_seen(); }
 
 Result<void> World::reserve_ids(ItemId last) {
   WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   if (last.is_null() || last.value > ItemId::kLargest) return Error{ErrorCode::bad_id, {}, last, 0};
-  impl_->triangulation.mark_used(last);
+  impl_->layers.mark_used(last);
   return {};
 }
 
-bool World::contains(ItemId id) const { return impl_->triangulation.items().contains(id); }
+bool World::contains(ItemId id) const { return impl_->triangulation().items().contains(id); }
 
-std::size_t World::item_count() const { return impl_->triangulation.items().size(); }
+std::size_t World::item_count() const { return impl_->triangulation().items().size(); }
 
-std::vector<ItemId> World::item_ids() const { return impl_->triangulation.items().ids(); }
+std::vector<ItemId> World::item_ids() const { return impl_->triangulation().items().ids(); }
 
-void World::item_ids(std::vector<ItemId>& ids) const { impl_->triangulation.items().ids(ids); }
+void World::item_ids(std::vector<ItemId>& ids) const { impl_->triangulation().items().ids(ids); }
 
 Result<void> World::shape(ItemId id, Shape& shape) const {
   if (!contains(id)) return unknown_id_error(id);
-  fill_shape(impl_->triangulation, id, shape);
+  fill_shape(impl_->triangulation(), id, shape);
   return {};
 }
 
@@ -59,12 +60,12 @@ Result<Shape> World::shape(ItemId id) const {
 }
 
 void World::items(QueryContext& context, std::vector<Item>& items) const {
-  std::vector<ItemId>& ids = context.scratch_->items.ids;
+  std::vector<ItemId>& ids = context.scratch_->items->ids;
   item_ids(ids);
   items.resize(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) {
     items[i].id = ids[i];
-    fill_shape(impl_->triangulation, ids[i], items[i].shape);
+    fill_shape(impl_->triangulation(), ids[i], items[i].shape);
   }
 }
 

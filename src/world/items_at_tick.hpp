@@ -8,7 +8,7 @@
 #include "waywright/id.hpp"
 #include "waywright/item.hpp"
 
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "world/history.hpp"
 #include "world/item_shape.hpp"
 
@@ -18,9 +18,9 @@ namespace waywright {
 class ItemsAtTick {
  public:
   /// The items of now.
-  explicit ItemsAtTick(const constraint::ExactTriangulation& now) : now_(now) {}
+  explicit ItemsAtTick(const constraint::ConstrainedTriangulation& now) : now_(now) {}
   /// The items at a tick. `changed` is the answer of History::changed_since() for this tick.
-  ItemsAtTick(const constraint::ExactTriangulation& now, const History& history,
+  ItemsAtTick(const constraint::ConstrainedTriangulation& now, const History& history,
               std::span<const History::ChangedItem> changed)
       : now_(now), history_(&history), changed_(changed) {}
 
@@ -47,7 +47,7 @@ class ItemsAtTick {
   [[nodiscard]] std::span<const History::ChangedItem> changed() const { return changed_; }
 
  private:
-  const constraint::ExactTriangulation& now_;
+  const constraint::ConstrainedTriangulation& now_;
   const History* history_ = nullptr;
   std::span<const History::ChangedItem> changed_;  ///< ascending by id
 };

@@ -6,15 +6,11 @@
 #include "waywright/path.hpp"
 #include "waywright/point.hpp"
 
+#include "world/layers.hpp"
+
 namespace waywright {
 
 // Each function returns the error in a path query, or nothing.
-
-/// Says which optional data a world keeps for path queries.
-struct Kept {
-  bool has_abstraction;
-  bool has_bridges;
-};
 
 [[nodiscard]] std::optional<Error> find_query_error(const Box& domain, const Kept& kept, const PathQuery& query);
 /// Returns the error in an agent, or nothing. An agent may have any finite radius from 0 on.

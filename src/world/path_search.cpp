@@ -7,10 +7,10 @@
 #include "waywright/world.hpp"
 
 #include "base/float_environment.hpp"
+#include "path/finder.hpp"
+#include "path/fit_finder.hpp"
 #include "path/looked_at.hpp"
-#include "path/saturating_add.hpp"
 #include "world/path_query_error.hpp"
-#include "world/query_scratch.hpp"
 #include "world/touch_log.hpp"
 #include "world/world_impl.hpp"
 
@@ -32,37 +32,22 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
   [[nodiscard]] bool is_for_disc() const { return query.agent.radius > 0.0; }
   void begin() {
     windows.clear();
-    if (is_for_disc()) {
-      mesh_of_discs = &world->mesh_of_discs();
-      world->begin_disc_path(query, scratch, path);
-    } else {
-      scratch.finder.begin(world->triangulation, world->kept_abstraction(), query, path, &looked_at);
-      if (records_windows) scratch.finder.record_windows(windows);
-    }
-  }
-  bool step(std::size_t expansions) {
-    if (!is_for_disc()) return scratch.finder.step(expansions, path);
-    return world->step_disc_path(path::saturating_add(path.expansions, expansions), scratch, path);
+    const path::Ground ground = world->ground();
+    walls = ground.walls;
+    finder.begin(ground, query, path, &looked_at);
+    if (records_windows) finder.record_windows(windows);
   }
   /// Continues the search in the current version of the world. Restarts it if a change concerns it, or if
   /// World::shrink_to_fit() has freed the mesh in which it runs.
   void adapt_to_changes() {
-    const bool has_lost_mesh = is_for_disc() && mesh_of_discs != &world->mesh_of_discs();
+    const bool has_lost_mesh = is_for_disc() && walls != world->ground().walls;
     if (version == touch_log->version() && !has_lost_mesh) return;
-    const bool is_concerned = concerns_search();
+    const bool must_begin_again = finder.must_begin_again([&] { return touch_log->has_touched(looked_at, version); });
     version = touch_log->version();
-    if (!is_concerned) return;
+    if (!must_begin_again) return;
     ++restarts;
     begin();
   }
-  /// Returns whether a change since the last slice concerns the search. The search for a disc does not record what it
-  /// has looked at, so every change concerns it.
-  [[nodiscard]] bool concerns_search() {
-    if (is_for_disc()) return true;
-    scratch.finder.grow_to_mesh();
-    return touch_log->has_touched(looked_at, version) || scratch.finder.has_covered_end();
-  }
-
   /// The guard of one step. When the step ends, stops the search if it is done. The constructor sets `is_done` to true.
   /// So if memory runs out during the step, the search stops, too.
   class Step {
@@ -81,9 +66,10 @@ struct WAYWRIGHT_INTERNAL PathSearch::Impl {
   std::shared_ptr<TouchLog> touch_log;  ///< null unless a search is running
   const World::Impl* world = nullptr;   ///< stays at this address until `touch_log` says that the world is gone
   std::uint64_t version = 0;            ///< of the world when the search last saw it
-  const constraint::ExactTriangulation* mesh_of_discs = nullptr;  ///< the mesh in which a search for a disc runs
+  const constraint::ConstrainedTriangulation* walls = nullptr;  ///< the mesh in which a search for a disc runs
   PathQuery query;
-  detail::QueryScratch scratch;
+  path::FitFinder fits;
+  path::Finder finder{fits};
   path::LookedAt looked_at;
   Path path;
   bool wants_windows = false;
@@ -102,7 +88,7 @@ Result<void> PathSearch::begin(const World& world, const PathQuery& query) {
   WAYWRIGHT_ASSERT(!world.impl_->attempt, kInAttempt);
   const base::FloatEnvironment environment;
   cancel();
-  if (auto error = find_query_error(world.domain(), world.impl_->kept(), query)) return *std::move(error);
+  if (auto error = find_query_error(world.domain(), world.impl_->layers.kept(), query)) return *std::move(error);
   impl_->query = query;
   impl_->records_windows = impl_->wants_windows;
   impl_->restarts = 0;
@@ -123,7 +109,7 @@ Result<bool> PathSearch::step(std::size_t expansions) {
   WAYWRIGHT_ASSERT(!impl_->world->attempt, kInAttempt);
   const Impl::Step step(*impl_);
   impl_->adapt_to_changes();
-  impl_->is_done = impl_->step(expansions);
+  impl_->is_done = impl_->finder.step(expansions, impl_->path);
   return impl_->is_done;
 }
 

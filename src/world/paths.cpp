@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -10,7 +9,10 @@
 
 #include "base/float_environment.hpp"
 #include "constraint/boxes.hpp"
+#include "nav/abstraction.hpp"
+#include "path/finder.hpp"
 #include "path/pieces.hpp"
+#include "path/polyline_walk.hpp"
 #include "threads/thread_team.hpp"
 #include "world/path_query_error.hpp"
 #include "world/point_error.hpp"
@@ -22,8 +24,6 @@
 namespace waywright {
 
 namespace {
-
-constexpr std::size_t kToTheEnd = std::numeric_limits<std::size_t>::max();
 
 /// Returns whether `concerns(box)` is true for one of the boxes. `boxes` is an answer of World::changes_since(). Also
 /// returns true if the world does not have the boxes.
@@ -45,17 +45,13 @@ bool meets(std::span<const Point> points, const Box& box) {
 }  // namespace
 
 void World::Impl::find_path(const PathQuery& query, detail::QueryScratch& scratch, Path& path) const {
-  if (query.agent.radius > 0.0) {
-    if (!begin_disc_path(query, scratch, path)) step_disc_path(kToTheEnd, scratch, path);
-    return;
-  }
-  scratch.finder.begin(triangulation, kept_abstraction(), query, path);
-  scratch.finder.step(kToTheEnd, path);
+  scratch.finder->begin(ground(), query, path);
+  scratch.finder->step(path::kToTheEnd, path);
 }
 
 Result<void> World::find_path(const PathQuery& query, QueryContext& context, Path& path) const {
   const base::FloatEnvironment environment;
-  if (auto error = find_query_error(domain(), impl_->kept(), query)) return *std::move(error);
+  if (auto error = find_query_error(domain(), impl_->layers.kept(), query)) return *std::move(error);
   impl_->find_path(query, *context.scratch_, path);
   return {};
 }
@@ -72,7 +68,7 @@ Result<void> World::find_paths(std::span<const PathQuery> queries, std::span<Que
                                std::vector<Path>& paths, JobSystem* jobs) const {
   const base::FloatEnvironment environment;
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    if (auto error = find_query_error(domain(), impl_->kept(), queries[i])) {
+    if (auto error = find_query_error(domain(), impl_->layers.kept(), queries[i])) {
       error->index = i;
       error->words.element_noun = "query";
       return *std::move(error);
@@ -103,13 +99,9 @@ Result<void> World::find_paths_from(const ManyGoalsQuery& query, QueryContext& c
   for (std::size_t i = 0; i < query.goals.size(); ++i) {
     if (auto error = find_point_error(domain(), query.goals[i], i + 1, {"goal", i})) return *std::move(error);
   }
-  if (auto error = find_agent_error(impl_->kept(), query.agent)) return *std::move(error);
+  if (auto error = find_agent_error(impl_->layers.kept(), query.agent)) return *std::move(error);
   if (auto error = find_tolerance_error(query.end_tolerance)) return *std::move(error);
-  if (query.agent.radius > 0.0) {
-    impl_->find_disc_paths_from(query, *context.scratch_, paths);
-    return {};
-  }
-  context.scratch_->finder.find_all(impl_->triangulation, impl_->kept_abstraction(), query, paths);
+  context.scratch_->finder->find_all(impl_->ground(), query, paths);
   return {};
 }
 
@@ -134,8 +126,8 @@ Result<bool> World::is_clear(std::span<const Point> points, const Agent& agent, 
   if (agent.radius > 0.0) {
     return Error{ErrorCode::not_supported, "is_clear supports only point agents: the radius is above 0", {}, 0};
   }
-  context.scratch_->cover_finder.use(impl_->kept_abstraction());
-  return context.scratch_->polyline_walk.is_clear(impl_->triangulation, context.scratch_->cover_finder, points);
+  context.scratch_->cover_finder->use(impl_->layers.abstraction());
+  return context.scratch_->polyline_walk->is_clear(impl_->triangulation(), *context.scratch_->cover_finder, points);
 }
 
 Result<bool> World::is_clear(std::span<const Point> points, const Agent& agent) const {

@@ -5,6 +5,7 @@
 
 #include "base/float_environment.hpp"
 #include "constraint/item_queries.hpp"
+#include "nav/abstraction.hpp"
 #include "world/point_error.hpp"
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
@@ -26,7 +27,7 @@ std::optional<Error> find_ends_error(const Box& domain, const Point& from, const
 Result<void> World::locate(Point point, QueryContext& context, Location& location) const {
   const base::FloatEnvironment environment;
   const Impl& impl = *impl_;
-  const constraint::ExactTriangulation& triangulation = impl.triangulation;
+  const constraint::ConstrainedTriangulation& triangulation = impl.triangulation();
   if (auto error = find_point_error(triangulation.domain(), point, 0, "the point")) return *std::move(error);
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto& delaunay = triangulation.triangulation();
@@ -43,8 +44,8 @@ Result<void> World::locate(Point point, QueryContext& context, Location& locatio
     location.vertices[i] = delaunay.geometry().rounded(number(vertices[i]));
   }
   location.polygons.clear();
-  nav::ComponentCoverFinder& cover_finder = context.scratch_->cover_finder;
-  cover_finder.use(impl.kept_abstraction());
+  nav::ComponentCoverFinder& cover_finder = *context.scratch_->cover_finder;
+  cover_finder.use(impl.layers.abstraction());
   for (const std::uint32_t item : cover_finder.of_location(triangulation, located)) {
     location.polygons.push_back(triangulation.items().id(item));
   }
@@ -63,8 +64,8 @@ Result<void> World::items_at(Point point, QueryContext& context, std::vector<Ite
   const base::FloatEnvironment environment;
   if (auto error = find_point_error(domain(), point, 0, "the point")) return *std::move(error);
   detail::QueryScratch& scratch = *context.scratch_;
-  scratch.cover_finder.use(impl_->kept_abstraction());
-  constraint::items_at(impl_->triangulation, scratch.cover_finder, point, scratch.items, items);
+  scratch.cover_finder->use(impl_->layers.abstraction());
+  constraint::items_at(impl_->triangulation(), *scratch.cover_finder, point, *scratch.items, items);
   return {};
 }
 
@@ -78,7 +79,7 @@ Result<std::vector<ItemId>> World::items_at(Point point) const {
 Result<void> World::items_crossed(Point from, Point to, QueryContext& context, std::vector<CrossedItem>& items) const {
   const base::FloatEnvironment environment;
   if (auto error = find_ends_error(domain(), from, to)) return *std::move(error);
-  constraint::items_crossed(impl_->triangulation, from, to, context.scratch_->items, items);
+  constraint::items_crossed(impl_->triangulation(), from, to, *context.scratch_->items, items);
   return {};
 }
 
@@ -95,8 +96,8 @@ Result<void> World::items_in(const Box& box, QueryContext& context, std::vector<
   items.clear();
   if (!box.overlaps(domain())) return {};
   detail::QueryScratch& scratch = *context.scratch_;
-  scratch.cover_finder.use(impl_->kept_abstraction());
-  constraint::items_in(impl_->triangulation, scratch.cover_finder, box, scratch.items, items);
+  scratch.cover_finder->use(impl_->layers.abstraction());
+  constraint::items_in(impl_->triangulation(), *scratch.cover_finder, box, *scratch.items, items);
   return {};
 }
 

@@ -8,7 +8,7 @@
 #include "waywright/memory_use.hpp"
 
 #include "base/compiler.hpp"
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "memory/count.hpp"
 #include "mesh/index.hpp"
 #include "nav/abstraction.hpp"
@@ -21,7 +21,7 @@ namespace waywright {
 /// the next steps at the same time. It changes nothing, and answers do not depend on it.
 class ReplicaPrefetch {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   /// The largest number of items for one call of run(): the cache has room for the surroundings of this many items.
   static constexpr std::size_t kItems = 16;

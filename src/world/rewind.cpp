@@ -21,7 +21,7 @@ namespace {
 constexpr char kNoLimitInRewind[] = "World::rewind: the world had these items before, so no limit can apply";
 constexpr char kNoHistory[] = "World::mark: the world keeps no history; call keep_history() first";
 
-using Triangulation = constraint::ExactTriangulation;
+using Triangulation = constraint::ConstrainedTriangulation;
 using Batch = constraint::ShapeBatch;
 
 /// The changes that bring back the items of a tick. An item whose shape has changed is in both lists.
@@ -87,7 +87,7 @@ void World::keep_history(std::size_t ticks) {
 std::uint64_t World::mark() {
   WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
   WAYWRIGHT_ASSERT(impl_->history.is_kept(), kNoHistory);
-  return impl_->history.mark(version(), impl_->triangulation.items().largest_id_seen());
+  return impl_->history.mark(version(), impl_->triangulation().items().largest_id_seen());
 }
 
 Result<void> World::rewind(std::uint64_t tick) {
@@ -100,29 +100,25 @@ Result<void> World::rewind(std::uint64_t tick) {
 }
 
 void World::Impl::bring_back(History& from, History::Tick tick) {
-  ChangesBack changes = changes_back_to(from, tick, triangulation);
+  ChangesBack changes = changes_back_to(from, tick, triangulation());
+  Operation operation(*this, Operation::Kind::rewind);
   std::optional<Error> error;
-  if (is_most_removed(changes, triangulation)) {
-    change_log.begin();
-    for (const ItemId id : changes.removed) add_removal_to_change_log(triangulation.items().slot(id));
-    add_insertions_to_change_log(Batch{changes.inserted, changes.inserted_ids});
-    for (const ItemId id : changes.removed) note_for_snapshots(id);
-    for (const ItemId id : changes.inserted_ids) note_for_snapshots(id);
-    add_items_that_stay(changes, triangulation);
-    error = replace_all(Batch{changes.inserted, changes.inserted_ids}, from.largest_id(tick), {});
-    WAYWRIGHT_ASSERT(!error, kNoLimitInRewind);
+  if (is_most_removed(changes, triangulation())) {
+    operation.note_removals(changes.removed);
+    operation.note_insertions(Batch{changes.inserted, changes.inserted_ids});
+    add_items_that_stay(changes, triangulation());
+    error = operation.replace_all(Batch{changes.inserted, changes.inserted_ids}, from.largest_id(tick));
   } else {
-    Operation operation(*this, Operation::Kind::rewind);
     for (const ItemId id : changes.removed) operation.remove(id);
     if (changes.inserted.size() == 1) {
       error = operation.insert(changes.inserted[0].shape, changes.inserted[0].id);
     } else if (!changes.inserted.empty()) {
       error = operation.insert_all(Batch{changes.inserted, changes.inserted_ids});
     }
-    WAYWRIGHT_ASSERT(!error, kNoLimitInRewind);
     operation.set_largest_id_seen(from.largest_id(tick));
-    operation.commit();
   }
+  WAYWRIGHT_ASSERT(!error, kNoLimitInRewind);
+  operation.commit();
 }
 
 }  // namespace waywright

@@ -4,7 +4,7 @@
 
 namespace waywright {
 
-void TouchLog::note_mesh(const constraint::ExactTriangulation& triangulation) {
+void TouchLog::note_mesh(const constraint::ConstrainedTriangulation& triangulation) {
   const bool is_wanted = searches_.load(std::memory_order_relaxed) != 0 && entries_.size() <= kLongest;
   if (!is_wanted || !add_touched_faces(triangulation)) {
     entries_.clear();
@@ -15,7 +15,7 @@ void TouchLog::note_mesh(const constraint::ExactTriangulation& triangulation) {
 
 // A search that looks at a face reads that face and the faces that share a vertex with it. So each face that shares a
 // vertex with a live touched face counts as touched, too.
-bool TouchLog::add_touched_faces(const constraint::ExactTriangulation& triangulation) {
+bool TouchLog::add_touched_faces(const constraint::ConstrainedTriangulation& triangulation) {
   const mesh::TriangleMesh& mesh = triangulation.topology();
   const auto add = [&](mesh::Face f) {
     if (entries_.size() <= kLongest) entries_.push_back({version_ + 1, f});

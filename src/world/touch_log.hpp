@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "constraint/exact_triangulation.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "memory/count.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "nav/abstraction.hpp"
@@ -36,7 +36,7 @@ class TouchLog {
 
   /// Records the faces that an operation has touched in the mesh. Allocates memory. If the operation is taken back
   /// afterwards, the records stay: a search may then start again although nothing has changed.
-  void note_mesh(const constraint::ExactTriangulation& triangulation);
+  void note_mesh(const constraint::ConstrainedTriangulation& triangulation);
   /// Records the faces whose entry in the abstraction has changed. Call it after note_mesh(). Allocates nothing: it
   /// uses the room that note_mesh() has made. If this room is too small, the operation counts as one that has touched
   /// every face.
@@ -62,7 +62,7 @@ class TouchLog {
 
  private:
   /// Records the faces that an operation has touched. Returns whether the log has room for all of them (kLongest).
-  [[nodiscard]] bool add_touched_faces(const constraint::ExactTriangulation& triangulation);
+  [[nodiscard]] bool add_touched_faces(const constraint::ConstrainedTriangulation& triangulation);
 
   /// The largest number of entries. If an operation would make the log longer, the operation empties the log, and all
   /// searches start again.

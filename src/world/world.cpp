@@ -34,11 +34,12 @@ World World::clone() const {
   return World(std::make_unique<Impl>(*impl_, impl_->history));
 }
 
-const Box& World::domain() const { return impl_->triangulation.domain(); }
+const Box& World::domain() const { return impl_->triangulation().domain(); }
 
 WorldOptions World::options() const {
-  return {.keep_abstraction = impl_->abstraction.has_value(),
-          .keep_bridges = impl_->clearance != nullptr,
+  const Kept kept = impl_->layers.kept();
+  return {.keep_abstraction = kept.has_abstraction,
+          .keep_bridges = kept.has_bridges,
           .new_vertex_limit = impl_->limits.of_operation};
 }
 
@@ -51,29 +52,25 @@ void World::set_new_vertex_limit(std::size_t limit) {
 
 std::uint64_t World::version() const { return impl_->version(); }
 
-std::size_t World::vertex_count() const { return impl_->triangulation.topology().vertex_count() - 1; }
+std::size_t World::vertex_count() const { return impl_->triangulation().topology().vertex_count() - 1; }
 
 // There are as many ghost faces as vertices on the border of the domain. A triangulated sphere with V vertices has
 // 2 V - 4 faces.
 std::size_t World::triangle_count() const {
-  const mesh::TriangleMesh& mesh = impl_->triangulation.topology();
+  const mesh::TriangleMesh& mesh = impl_->triangulation().topology();
   std::size_t border = 0;
-  mesh.for_each_outgoing(impl_->triangulation.triangulation().ghost(), [&](mesh::HalfEdge) { ++border; });
+  mesh.for_each_outgoing(impl_->triangulation().triangulation().ghost(), [&](mesh::HalfEdge) { ++border; });
   return mesh.face_count() - border;
 }
 
 MemoryUse World::Impl::memory() const {
   MemoryUse use;
   use.spare = sizeof(Impl) + sizeof(TouchLog);
-  triangulation.count_memory(use);
+  layers.count_memory(use);
   change_log.count_memory(use);
   history.count_memory(use);
   touch_log->count_memory(use);
-  touched_faces.count_memory(use);
   memory::count_spare(use, outline.corners, outline.ring_ends);
-  if (abstraction) abstraction->count_memory(use);
-  if (abstraction_of_walls) abstraction_of_walls->count_memory(use);
-  if (clearance) clearance->count_memory(use);
   return use;
 }
 
@@ -85,51 +82,29 @@ MemoryUse World::memory() const {
 
 void World::shrink_to_fit() {
   WAYWRIGHT_ASSERT(!impl_->attempt, kInAttempt);
-  impl_->triangulation.shrink_to_fit();
-  if (impl_->abstraction) impl_->abstraction->shrink_to_fit();
-  if (impl_->clearance) impl_->clearance->shrink_to_fit(impl_->triangulation);
-  if (impl_->abstraction_of_walls) {
-    if (impl_->clearance->second_triangulation() == nullptr) {
-      impl_->abstraction_of_walls.reset();
-    } else {
-      impl_->abstraction_of_walls->shrink_to_fit();
-    }
-  }
+  impl_->layers.shrink_to_fit();
   impl_->change_log.shrink_to_fit();
   impl_->history.shrink_to_fit();
   impl_->touch_log->shrink_to_fit();
-  impl_->touched_faces.release();
   impl_->spare_context.release();
   impl_->snapshots.reset();
   memory::release(impl_->outline.corners, impl_->outline.ring_ends);
 }
 
-std::optional<std::string> World::Impl::find_fault_in_abstraction_of_walls() const {
-  const auto* const walls = clearance ? clearance->second_triangulation() : nullptr;
-  const bool is_needed = abstraction && walls != nullptr;
-  if (is_needed != abstraction_of_walls.has_value()) {
-    return "the abstraction of the second mesh is missing, or belongs to no mesh";
-  }
-  return is_needed ? abstraction_of_walls->find_fault(*walls) : std::nullopt;
-}
-
 Validation World::validate() const {
   const base::FloatEnvironment environment;
-  auto fault = impl_->triangulation.find_fault();
-  if (!fault && impl_->abstraction) fault = impl_->abstraction->find_fault(impl_->triangulation);
-  if (!fault && impl_->clearance) fault = impl_->clearance->find_fault(impl_->triangulation);
-  if (!fault) fault = impl_->find_fault_in_abstraction_of_walls();
+  auto fault = impl_->layers.find_fault();
   if (!fault) return {};
   return {false, *std::move(fault)};
 }
 
-ItemsHash World::items_hash() const { return {impl_->triangulation.items().hash()}; }
+ItemsHash World::items_hash() const { return {impl_->triangulation().items().hash()}; }
 
 MeshHash World::mesh_hash() const { return {text::sha256(dump())}; }
 
 void World::snapshot(QueryContext& context, MeshSnapshot& snapshot) const {
   const base::FloatEnvironment environment;
-  constraint::take_snapshot(impl_->triangulation, context.scratch_->order, snapshot);
+  constraint::take_snapshot(impl_->triangulation(), *context.scratch_->order, snapshot);
 }
 
 MeshSnapshot World::snapshot() const {
@@ -141,7 +116,7 @@ MeshSnapshot World::snapshot() const {
 
 std::string World::dump() const {
   const base::FloatEnvironment environment;
-  return constraint::dump(impl_->triangulation);
+  return constraint::dump(impl_->triangulation());
 }
 
 }  // namespace waywright

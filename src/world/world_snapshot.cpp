@@ -31,24 +31,18 @@ constexpr std::size_t kMoreVertices = 1024;
 /// The spare room in the arena of a base, in bytes, apart from a share of the size of the world.
 constexpr std::size_t kSpareInArena = std::size_t{1} << 20;
 
-/// Commits an operation. GCC 12 warns of members without a value if it inlines this.
-template <class Operation>
-WAYWRIGHT_NO_INLINE void commit(Operation& operation) {
-  operation.commit();
-}
-
 }  // namespace
 
 bool World::Impl::follow_item(const ItemsAtTick& items, ItemId id, std::size_t most_vertices, ReplicaScratch& scratch) {
-  const bool is_here = triangulation.items().contains(id);
+  const bool is_here = triangulation().items().contains(id);
   const bool is_there = items.find(id, scratch.in_world);
   if (!is_here && !is_there) return true;
-  if (is_here) fill_shape(triangulation, id, scratch.in_replica);
+  if (is_here) fill_shape(triangulation(), id, scratch.in_replica);
   if (is_here && is_there && scratch.in_replica == scratch.in_world) return true;
   Operation operation(*this, Operation::Kind::follow, most_vertices);
   if (is_here) operation.remove(id);
   if (is_there && operation.insert(scratch.in_world, id)) return false;
-  commit(operation);
+  operation.commit();
   return true;
 }
 
@@ -75,17 +69,17 @@ bool World::Impl::follow(const Impl& other, const ReplicaState& state, const Ite
   // crossings. If they make more vertices than this limit, the function returns false, because a copy of the world
   // costs less.
   const std::size_t most_vertices =
-      2 * (triangulation.topology().vertex_count() + other.triangulation.topology().vertex_count()) + kMoreVertices;
+      2 * (triangulation().topology().vertex_count() + other.triangulation().topology().vertex_count()) + kMoreVertices;
   for (std::size_t i = 0; i < changed.size(); ++i) {
     if (i % ReplicaPrefetch::kItems == 0) {
       const std::size_t count = std::min(changed.size() - i, ReplicaPrefetch::kItems);
-      scratch.prefetch.run(triangulation, other.triangulation, kept_abstraction(), changed.subspan(i, count));
+      scratch.prefetch.run(triangulation(), other.triangulation(), layers.abstraction(), changed.subspan(i, count));
     }
     if (!follow_item(items, changed[i], most_vertices, scratch)) return false;
   }
   // Nothing can fail from here on.
   set_version(other, state.version);
-  triangulation.set_largest_id_seen(state.largest_id);
+  layers.set_largest_id_seen(state.largest_id);
   limits = other.limits;
   return true;
 }
@@ -151,7 +145,7 @@ detail::Replica* World::Impl::publish(const ReplicaState& state, const ItemsAtTi
   }
   if (replica == nullptr) replica = add_sharing_replica(state, items);
   if (replica == nullptr) replica = add_replica(state);
-  snapshots->hand_out(replica, triangulation.items().size());
+  snapshots->hand_out(replica, triangulation().items().size());
   replica->add_first_handle();
   return replica;
 }
@@ -161,7 +155,7 @@ WorldSnapshot World::publish() {
   const base::FloatEnvironment environment;
   const ReplicaState now{std::nullopt, version(), largest_id_seen(), new_vertex_limit()};
   if (detail::Replica* const shared = impl_->share(now)) return WorldSnapshot(shared);
-  return WorldSnapshot(impl_->publish(now, ItemsAtTick(impl_->triangulation)));
+  return WorldSnapshot(impl_->publish(now, ItemsAtTick(impl_->triangulation())));
 }
 
 Result<WorldSnapshot> World::publish(std::uint64_t tick) {
@@ -172,7 +166,7 @@ Result<WorldSnapshot> World::publish(std::uint64_t tick) {
   const ReplicaState then{tick, history.version(tick), history.largest_id(tick), new_vertex_limit()};
   if (detail::Replica* const shared = impl_->share(then)) return WorldSnapshot(shared);
   const std::vector<History::ChangedItem> changed = history.changed_since(tick);
-  return WorldSnapshot(impl_->publish(then, ItemsAtTick(impl_->triangulation, history, changed)));
+  return WorldSnapshot(impl_->publish(then, ItemsAtTick(impl_->triangulation(), history, changed)));
 }
 
 WorldSnapshot::WorldSnapshot(const WorldSnapshot& other) noexcept : replica_(other.replica_) {

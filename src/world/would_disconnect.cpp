@@ -10,7 +10,7 @@
 #include "waywright/world.hpp"
 
 #include "base/float_environment.hpp"
-#include "clearance/disc_passage.hpp"
+#include "path/fit_finder.hpp"
 #include "world/path_query_error.hpp"
 #include "world/point_error.hpp"
 #include "world/query_scratch.hpp"
@@ -22,8 +22,7 @@ namespace waywright {
 
 namespace {
 
-/// The connected areas to which a point belongs, by number, ascending. An agent can move from one point to another if
-/// they have an area in common. A point on a wall can belong to several areas, a blocked point belongs to none.
+/// The areas of a point: see path::FitFinder::find_areas().
 using Areas = std::vector<std::uint32_t>;
 
 bool have_common_area(const Areas& a, const Areas& b) {
@@ -73,60 +72,18 @@ bool is_disconnected(const std::vector<Areas>& before, const std::vector<Areas>&
 
 }  // namespace
 
-/// Returns the areas of each point, for a point agent: the components of the faces around it. Requires: the world keeps
-/// its abstraction.
-std::vector<std::vector<std::uint32_t>> World::Impl::areas_of(PointSpan points, detail::QueryScratch& scratch) const {
-  std::vector<Areas> areas(points.size());
-  scratch.cover_finder.use(kept_abstraction());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const locate::Located location = triangulation.triangulation().locate(points[i]);
-    for (const mesh::HalfEdge h : scratch.cover_finder.open_faces(triangulation, location)) {
-      areas[i].push_back(abstraction->components().component_of(mesh::face(h)));
-    }
-    std::sort(areas[i].begin(), areas[i].end());
-    areas[i].erase(std::unique(areas[i].begin(), areas[i].end()), areas[i].end());
-  }
-  return areas;
-}
-
-/// Returns the areas of each point, for a disc. The number of an area is the index of its first point. Requires: the
-/// world keeps its bridges, and the radius is above 0.
-std::vector<std::vector<std::uint32_t>> World::Impl::areas_of(PointSpan points, const Agent& agent,
-                                                              detail::QueryScratch& scratch) const {
-  std::vector<Areas> areas(points.size());
-  const constraint::ExactTriangulation& walls = clearance->triangulation_of_walls(triangulation);
-  const clearance::Cells cells(walls, clearance->bridges());
-  std::vector<std::optional<clearance::CellEdge>> cell_of(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    fit_disc(points[i], agent, scratch, scratch.fit);
-    if (scratch.fit.fits) cell_of[i] = scratch.near_walls.find_cell(walls, clearance->bridges(), points[i]);
-  }
-  clearance::DiscReach reach;
-  for (std::size_t first = 0; first < points.size(); ++first) {
-    if (!cell_of[first] || !areas[first].empty()) continue;
-    reach.begin(cells, *cell_of[first], agent.radius);
-    for (std::size_t i = first; i < points.size(); ++i) {
-      const bool has_no_area = cell_of[i] && areas[i].empty();
-      if (has_no_area && reach.is_reached(cells, *cell_of[i])) areas[i].push_back(static_cast<std::uint32_t>(first));
-    }
-  }
-  return areas;
-}
-
 Result<bool> World::would_disconnect(std::span<const Change> changes, PointSpan points, const Agent& agent) {
   const base::FloatEnvironment environment;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (auto error = find_point_error(domain(), points[i], i, {"point", i})) return *std::move(error);
   }
-  if (auto error = find_agent_error(impl_->kept(), agent)) return *std::move(error);
-  if (agent.radius == 0.0 && !impl_->abstraction) {
+  if (auto error = find_agent_error(impl_->layers.kept(), agent)) return *std::move(error);
+  if (agent.radius == 0.0 && !impl_->layers.kept().has_abstraction) {
     return Error{ErrorCode::not_supported, "the radius 0 needs a world that keeps its abstraction", {}, 0};
   }
   const SpareContext::Loan context = impl_->spare_context.borrow();
-  detail::QueryScratch& scratch = *(*context).scratch_;
-  const auto areas = [&] {
-    return agent.radius > 0.0 ? impl_->areas_of(points, agent, scratch) : impl_->areas_of(points, scratch);
-  };
+  path::FitFinder& fits = *(*context).scratch_->fits;
+  const auto areas = [&] { return fits.find_areas(impl_->ground(), points, agent); };
   const std::vector<Areas> before = areas();
   return attempt(changes, [&](const World&) { return is_disconnected(before, areas()); });
 }

@@ -12,8 +12,7 @@
 #include "memory/allocations.hpp"
 #include "support/random.hpp"
 #include "support/random_scenes.hpp"
-#include "world/box_tree.hpp"
-#include "world/piece_bucket.hpp"
+#include "watch/box_grid.hpp"
 
 // Memory runs out in a rewind, an attempt, a mark, an update of watched paths, or in the tree of their boxes.
 
@@ -173,22 +172,28 @@ TEST(HistoryFailureOf, AnUpdateOfWatchedPathsCanBeRepeated) {
   EXPECT_GT(failures, 2U);
 }
 
-// If a failed insertion left its new nodes in the tree, the last insertion would have to allocate more of them.
-TEST(BoxTreeFailure, AnInsertionThatFailsLeavesNoNodes) {
+TEST(BoxGridFailure, AnInsertionThatFailsChangesNothing) {
+  const Box domain{{0, 0}, {4096, 4096}};
   const auto box_at = [](double x) { return Box{{x, x}, {x + 0.5, x + 0.5}}; };
-  const Piece piece{0, 0, Diagonal::none};
-  const auto allocations_of_last = [&](std::size_t failing) {
-    BoxTree<PieceBucket> tree({{0, 0}, {4096, 4096}});
-    tree.remove(tree.insert(box_at(1), piece));
-    if (failing != 0) {
-      EXPECT_FALSE(gets_through(failing, [&] { static_cast<void>(tree.insert(box_at(4000), piece)); }));
-    }
-    const std::size_t before = allocation_count();
-    static_cast<void>(tree.insert(box_at(1), piece));
-    return allocation_count() - before;
-  };
-  EXPECT_EQ(allocations_of_last(1), allocations_of_last(0));
-  EXPECT_EQ(allocations_of_last(2), allocations_of_last(0));
+  std::size_t failures = 0;
+  for (std::size_t failing = 1;; ++failing) {
+    watch::BoxGrid<int> grid(domain);
+    static_cast<void>(grid.insert(box_at(1), 1));
+    watch::BoxGrid<int>::Handle second = 0;
+    const bool is_through = gets_through(failing, [&] { second = grid.insert(box_at(4000), 2); });
+    int sum = 0;
+    const auto add = [&](int value, const Box&) { sum += value; };
+    grid.for_each_overlapping(domain, add);
+    ASSERT_EQ(sum, is_through ? 3 : 1) << "allocation " << failing;
+    if (is_through) grid.remove(second);
+    static_cast<void>(grid.insert(box_at(4000), 5));
+    sum = 0;
+    grid.for_each_overlapping(domain, add);
+    ASSERT_EQ(sum, 6) << "allocation " << failing;
+    if (is_through) break;
+    ++failures;
+  }
+  EXPECT_GT(failures, 2U);
 }
 
 }  // namespace

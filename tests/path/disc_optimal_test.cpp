@@ -267,7 +267,7 @@ TEST(DiscPaths, AreFoundToGoalsOnEdges) {
     NamedScene scene = disc::random_scene(random, i % 2 == 0 ? disc::SceneKind::lattice : disc::SceneKind::tiles);
     const disc::Walls walls = walls_of(scene);
     Map map(scene);
-    const constraint::ExactTriangulation& triangulation = map.mesh().walls();
+    const constraint::ConstrainedTriangulation& triangulation = map.mesh().walls();
     const mesh::TriangleMesh& mesh = triangulation.topology();
     for (std::uint32_t j = 0; j < 3 * mesh.face_slots(); j += 1 + static_cast<std::uint32_t>(random.below(8))) {
       const mesh::HalfEdge h{j};

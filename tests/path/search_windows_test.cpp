@@ -236,7 +236,6 @@ TEST(SearchWindows, AreEmptyUnlessTheyAreRecorded) {
   EXPECT_TRUE(searched(world, disc).windows().empty());
   EXPECT_TRUE(searched(world, {.start = {0.5, 0.5}, .goal = {0.5, 0.75}}).windows().empty()) << "nothing between";
 }
-}  // namespace
 
 TEST(SearchWindows, BeginAgainWithTheSearch) {
   World world = scattered_world(8, 6);
@@ -255,5 +254,5 @@ TEST(SearchWindows, BeginAgainWithTheSearch) {
   EXPECT_EQ(list_of(search), windows) << "a change after the search does not matter";
 }
 
-}  // namespace waywright::test
+}  // namespace
 }  // namespace waywright::test

@@ -1,53 +1,47 @@
 #include "support/bridges_check.hpp"
 
-#include "clearance/clearance.hpp"
 #include "constraint/constrained_triangulation.hpp"
 #include "support/changes_check.hpp"
 #include "support/live_items.hpp"
 #include "support/random.hpp"
+#include "world/layers.hpp"
 
 namespace waywright::test {
 namespace {
 
 using Fault = std::optional<std::string>;
 
-/// A triangulation with bridges, which changes both in the same order as a world does.
+/// The layers of a world that keeps bridges.
 class WithBridges {
  public:
-  WithBridges(const Box& domain, const clearance::SearchLimits& limits) : mesh_(domain), clearance_(mesh_, limits) {}
+  WithBridges(const Box& domain, const clearance::SearchLimits& limits)
+      : layers_(constraint::ConstrainedTriangulation(domain), {false, true}, limits) {}
 
   enum class End : std::uint8_t { commit, roll_back };
 
   void make(const Step& step, const std::vector<ItemId>& ids, End end) {
-    constraint::ConstrainedTriangulation::UndoGuard operation(mesh_);
-    clearance::Clearance::UndoGuard clearance_operation(clearance_);
+    layers_.begin({});
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const Change& change = step.changes[i];
-      if (change.kind != Change::Kind::insert) {
-        clearance_.note_changed(mesh_, ids[i]);
-        mesh_.remove(ids[i]);
-      }
-      if (change.kind == Change::Kind::remove) continue;
-      mesh_.insert(change.shape, ids[i]);
-      clearance_.note_changed(mesh_, ids[i]);
+      if (change.kind != Change::Kind::insert) layers_.remove(ids[i]);
+      if (change.kind != Change::Kind::remove) layers_.insert(change.shape, ids[i]);
     }
-    const mesh::TouchedFaces::Guard guard(touched_);
-    touched_.collect(mesh_.topology());
-    clearance_.update(mesh_, touched_);
-    if (end == End::roll_back) return;
-    operation.commit();
-    clearance_operation.commit();
+    layers_.update();
+    if (end == End::commit) {
+      layers_.commit();
+    } else {
+      layers_.roll_back();
+    }
   }
   [[nodiscard]] Fault bridges_fault() const {
-    return clearance_.bridges().find_fault(clearance_.triangulation_of_walls(mesh_));
+    const path::Ground ground = layers_.ground();
+    return ground.bridges->find_fault(*ground.walls);
   }
-  [[nodiscard]] Fault find_fault() const { return clearance_.find_fault(mesh_); }
-  void shrink_to_fit() { clearance_.shrink_to_fit(mesh_); }
+  [[nodiscard]] Fault find_fault() const { return layers_.find_fault(); }
+  void shrink_to_fit() { layers_.shrink_to_fit(); }
 
  private:
-  constraint::ConstrainedTriangulation mesh_;
-  clearance::Clearance clearance_;
-  mesh::TouchedFaces touched_;
+  Layers layers_;
 };
 
 Fault find_first_fault(const ChangeScript& script, std::uint64_t seed, BridgesReport& report) {

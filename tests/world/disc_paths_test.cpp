@@ -152,7 +152,6 @@ TEST(DiscPaths, SayHowLongTheSearchTookIfAsked) {
   query.start = {48, 50};
   EXPECT_GT(world.find_path(query).value().time.count(), 0) << "a blocked start";
 }
-}  // namespace
 
 TEST(DiscPaths, DoNotDependOnPoints) {
   World world = two_walls();
@@ -224,5 +223,5 @@ TEST(DiscPaths, AreAsLongInTheOtherDirectionFarFromTheOrigin) {
   }
 }
 
-}  // namespace waywright::test
+}  // namespace
 }  // namespace waywright::test

@@ -67,9 +67,8 @@ TEST(DiscRefusals, SayWhatWidestPathSays) {
       if (!ids.empty()) world.remove(ids[random.below(ids.size())]).value();
     }
   }
+  EXPECT_GT(refused, case_count());
 }
-EXPECT_GT(refused, case_count());
-}  // namespace
 
 TEST(DiscRefusals, AgreeInATownThatChanges) {
   DividedTown town(1);
@@ -171,5 +170,5 @@ TEST(DiscRefusals, KnowWhetherAnAttemptIsUnderWay) {
   EXPECT_FALSE(is_found());
 }
 
-}  // namespace waywright::test
+}  // namespace
 }  // namespace waywright::test

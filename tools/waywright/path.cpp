@@ -49,6 +49,5 @@ ExitStatus path(const PathOptions& options) {
   geojson.commit();
   return kDone;
 }
-}  // namespace waywright::command
 
 }  // namespace waywright::command

@@ -1,10 +1,9 @@
-#include "path/finder.hpp"
+#include "path/point_finder.hpp"
 
 #include <algorithm>
 #include <limits>
 
 #include "path/reset.hpp"
-#include "path/saturating_add.hpp"
 
 namespace waywright::path {
 
@@ -20,16 +19,15 @@ constexpr std::size_t kManyGoals = 256;
 
 }  // namespace
 
-void Finder::begin(const Triangulation& triangulation, const nav::Abstraction* abstraction, const PathQuery& query,
-                   Path& path, LookedAt* looked_at) {
-  triangulation_ = &triangulation;
-  abstraction_ = abstraction;
+void PointFinder::begin(const Ground& ground, const PathQuery& query, Path& path, LookedAt* looked_at) {
+  triangulation_ = &ground.triangulation;
+  abstraction_ = ground.abstraction;
   looked_at_ = looked_at;
   query_ = query;
-  if (query.wants_time || has_time_limit()) start_time_ = Clock::now();
+  clock_.begin(query);
   reset(path);
   path.ends = {query.start, query.goal, query.end_tolerance, false};
-  ends_.set_start(triangulation, abstraction, query.start, query.end_tolerance);
+  ends_.set_start(*triangulation_, abstraction_, query.start, query.end_tolerance);
   const std::optional<PathStatus> known = ends_.find_status_without_search(query.goal);
   ends_.write_ends(known.value_or(PathStatus::no_path), path);
   is_searched_ = !known.has_value();
@@ -41,9 +39,9 @@ void Finder::begin(const Triangulation& triangulation, const nav::Abstraction* a
     if (path.status == PathStatus::found) write_straight(query.wants_channel, path);
     finish(path);
   } else if (query.algorithm == PathAlgorithm::ta) {
-    ta_.begin(triangulation, ends_, looked_at);
+    ta_.begin(*triangulation_, ends_, looked_at);
   } else if (query.algorithm == PathAlgorithm::tra) {
-    tra_.begin(triangulation, *abstraction, ends_);
+    tra_.begin(*triangulation_, *abstraction_, ends_);
   } else {
     begin_optimal(std::numeric_limits<double>::infinity());
   }
@@ -52,7 +50,7 @@ void Finder::begin(const Triangulation& triangulation, const nav::Abstraction* a
 /// Records that the search has looked at the faces that the location of the ends has read. In three cases the function
 /// does not know each of these faces. It then records that the search has looked at every face: the search is already
 /// done; an end was moved; the algorithm is `tra`, which records no faces.
-void Finder::look_at_ends() {
+void PointFinder::look_at_ends() {
   looked_at_->clear(triangulation_->topology().face_slots());
   if (is_done_ || ends_.has_moved() || query_.algorithm == PathAlgorithm::tra) return looked_at_->look_at_all();
   for (const mesh::HalfEdge h : ends_.start_faces()) looked_at_->look(mesh::face(h));
@@ -63,14 +61,14 @@ void Finder::look_at_ends() {
   }
 }
 
-void Finder::grow_to_mesh() {
+void PointFinder::grow_to_mesh() {
   looked_at_->grow_to(triangulation_->topology().face_slots());
   if (is_done_) return;
   if (query_.algorithm == PathAlgorithm::optimal || is_proving_) return optimal_.grow_to_mesh();
   if (query_.algorithm == PathAlgorithm::ta) ta_.grow_to_mesh();
 }
 
-void Finder::write_straight(bool wants_channel, Path& path) const {
+void PointFinder::write_straight(bool wants_channel, Path& path) const {
   path.length = distance(ends_.start(), ends_.goal());
   path.lower_bound = path.length;
   path.points.push_back(ends_.start());
@@ -85,13 +83,13 @@ void Finder::write_straight(bool wants_channel, Path& path) const {
   }
 }
 
-void Finder::begin_optimal(double known_length) {
+void PointFinder::begin_optimal(double known_length) {
   optimal_.begin(*triangulation_, abstraction_, search_start(), query_.wants_channel, looked_at_);
   optimal_.add_goal(ends_.goal(), ends_.goal_faces());
   optimal_.start(known_length);
 }
 
-bool Finder::step(std::size_t expansions, Path& path) {
+bool PointFinder::step(std::size_t expansions, Path& path) {
   const std::size_t limit = saturating_add(path.expansions, expansions);
   while (!is_done_ && path.expansions < limit) {
     is_done_ = search(limit, path);
@@ -100,23 +98,22 @@ bool Finder::step(std::size_t expansions, Path& path) {
   return is_done_;
 }
 
-bool Finder::search(std::size_t limit, Path& path) {
+bool PointFinder::search(std::size_t limit, Path& path) {
   if (query_.algorithm == PathAlgorithm::optimal) return search_optimal(limit, path);
   if (query_.algorithm == PathAlgorithm::tra) {
     tra_.find(path);
     if (query_.wants_channel && path.status == PathStatus::found) tra_.write_channel(path);
     return true;
   }
-  if (is_over_budget(path)) return true;
-  std::size_t slice = std::min(limit, saturating_add(path.expansions, kSlice));
-  if (path.status == PathStatus::found) slice = std::min(slice, query_.budget.expansions);
+  if (clock_.is_over(path)) return true;
+  const std::size_t slice = std::min(limit, clock_.next_look(path, kSlice));
   return is_proving_ ? search_optimal(slice, path) : search_ta(slice, path);
 }
 
 /// `ta` enters each half-edge only once, so its best path need not be the shortest. When `ta` has followed all
 /// channels, `optimal` searches for a shorter path. It either finds the shortest path, or proves that the path of `ta`
 /// is the shortest.
-bool Finder::search_ta(std::size_t limit, Path& path) {
+bool PointFinder::search_ta(std::size_t limit, Path& path) {
   if (!ta_.step(limit, path)) return false;
   if (path.status != PathStatus::found || path.lower_bound >= path.length) return true;
   ta_bound_ = path.lower_bound;
@@ -126,7 +123,7 @@ bool Finder::search_ta(std::size_t limit, Path& path) {
   return false;
 }
 
-bool Finder::search_optimal(std::size_t limit, Path& path) {
+bool PointFinder::search_optimal(std::size_t limit, Path& path) {
   if (!optimal_.step(limit, path.expansions)) {
     if (is_proving_) path.lower_bound = std::max(ta_bound_, std::min(optimal_.least_bound(), path.length));
     return false;
@@ -140,14 +137,13 @@ bool Finder::search_optimal(std::size_t limit, Path& path) {
   return true;
 }
 
-void Finder::find_all(const Triangulation& triangulation, const nav::Abstraction* abstraction,
-                      const ManyGoalsQuery& query, std::vector<Path>& paths) {
-  triangulation_ = &triangulation;
-  abstraction_ = abstraction;
+void PointFinder::find_all(const Ground& ground, const ManyGoalsQuery& query, std::vector<Path>& paths) {
+  triangulation_ = &ground.triangulation;
+  abstraction_ = ground.abstraction;
   paths.resize(query.goals.size());
   pending_goals_.clear();
   std::size_t expansions = 0;
-  ends_.set_start(triangulation, abstraction, query.start, query.end_tolerance);
+  ends_.set_start(*triangulation_, abstraction_, query.start, query.end_tolerance);
   ends_.move_blocked_start();
   for (std::size_t i = 0; i < paths.size(); ++i) {
     reset(paths[i]);
@@ -160,7 +156,7 @@ void Finder::find_all(const Triangulation& triangulation, const nav::Abstraction
       if (!query.wants_points) paths[i].points.clear();
       continue;
     }
-    if (pending_goals_.empty()) optimal_.begin(triangulation, abstraction_, search_start(), false);
+    if (pending_goals_.empty()) optimal_.begin(*triangulation_, abstraction_, search_start(), false);
     optimal_.add_goal(ends_.goal(), ends_.goal_faces());
     pending_goals_.push_back(i);
     if (paths.size() < kManyGoals) find_pending_paths(query.wants_points, expansions, paths);
@@ -170,10 +166,10 @@ void Finder::find_all(const Triangulation& triangulation, const nav::Abstraction
 }
 
 /// Finds the paths to all goals that were added since the last call.
-void Finder::find_pending_paths(bool wants_points, std::size_t& expansions, std::vector<Path>& paths) {
+void PointFinder::find_pending_paths(bool wants_points, std::size_t& expansions, std::vector<Path>& paths) {
   if (pending_goals_.empty()) return;
   optimal_.start();
-  while (!optimal_.step(std::numeric_limits<std::size_t>::max(), expansions)) {
+  while (!optimal_.step(kToTheEnd, expansions)) {
   }
   for (std::size_t goal = 0; goal < pending_goals_.size(); ++goal) {
     if (optimal_.is_found(goal)) optimal_.write_path(goal, wants_points, paths[pending_goals_[goal]]);
@@ -181,20 +177,12 @@ void Finder::find_pending_paths(bool wants_points, std::size_t& expansions, std:
   pending_goals_.clear();
 }
 
-bool Finder::is_over_budget(const Path& path) const {
-  if (path.status != PathStatus::found) return false;
-  return path.expansions >= query_.budget.expansions ||
-         (has_time_limit() && Clock::now() - start_time_ >= query_.budget.time);
-}
-
-bool Finder::has_time_limit() const { return query_.budget.time != std::chrono::nanoseconds::max(); }
-
-void Finder::finish(Path& path) const {
+void PointFinder::finish(Path& path) const {
   if (query_.wants_channel && is_searched_ && query_.algorithm == PathAlgorithm::ta && !is_proving_ &&
       path.status == PathStatus::found) {
     ta_.write_channel(path);
   }
-  if (query_.wants_time) path.time = Clock::now() - start_time_;
+  clock_.write_time(path);
 }
 
 }  // namespace waywright::path

@@ -1,4 +1,4 @@
-#include "world/key_order.hpp"
+#include "watch/key_order.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +14,8 @@
 
 namespace waywright::test {
 namespace {
+
+using watch::KeyOrder;
 
 /// Keys in a KeyOrder and in a std::map.
 class TwoOrders {

@@ -1,4 +1,4 @@
-#include "path/ends.hpp"
+#include "path/point_ends.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,9 @@ using mesh::HalfEdge;
 
 /// Stops a segment walk as soon as it is not certain that the straight line between the ends is clear: at a wall,
 /// at a vertex on the line, or if a polygon covers the first face.
-class Ends::StraightLine : public constraint::SegmentVisitor {
+class PointEnds::StraightLine : public constraint::SegmentVisitor {
  public:
-  explicit StraightLine(Ends& ends)
+  explicit StraightLine(PointEnds& ends)
       : ends_(ends),
         mesh_(ends.triangulation_->topology()),
         is_at_start_(ends.start_location_.kind != locate::LocatedKind::face) {
@@ -54,7 +54,7 @@ class Ends::StraightLine : public constraint::SegmentVisitor {
     return false;
   }
 
-  Ends& ends_;
+  PointEnds& ends_;
   const mesh::TriangleMesh& mesh_;
   bool is_at_start_;
   bool is_inside_ = false;  ///< whether the walk is inside an open face
@@ -64,8 +64,8 @@ class Ends::StraightLine : public constraint::SegmentVisitor {
 // Rounding to float moves a coordinate by up to 2^-24 of its value, and a program computes a point in a few steps.
 double default_end_tolerance(const Box& domain) { return 0x1p-20 * exact::filter::largest_magnitude(domain); }
 
-void Ends::set_start(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Point& start,
-                     const std::optional<double>& tolerance) {
+void PointEnds::set_start(const Triangulation& triangulation, const nav::Abstraction* abstraction, const Point& start,
+                          const std::optional<double>& tolerance) {
   triangulation_ = &triangulation;
   abstraction_ = abstraction;
   cover_finder_.use(abstraction);
@@ -77,7 +77,7 @@ void Ends::set_start(const Triangulation& triangulation, const nav::Abstraction*
   moved_start_.reset();
 }
 
-void Ends::move_blocked_start() {
+void PointEnds::move_blocked_start() {
   find_start_faces();
   if (start_faces_.empty()) move_start({});
   may_start_move_ = false;
@@ -85,7 +85,7 @@ void Ends::move_blocked_start() {
 
 // The same polygons cover the two faces that share a free edge. So if the straight line crosses no wall and its first
 // face is open, all faces that it crosses are open. Then neither end lies strictly inside a polygon.
-std::optional<PathStatus> Ends::find_status_without_search(const Point& goal) {
+std::optional<PathStatus> PointEnds::find_status_without_search(const Point& goal) {
   goal_ = goal;
   moved_goal_.reset();
   if (sees_goal()) return PathStatus::found;
@@ -101,7 +101,7 @@ std::optional<PathStatus> Ends::find_status_without_search(const Point& goal) {
 /// Returns the status of the path if the straight line is not clear and no search is necessary. An end can have no open
 /// face around it and still lie strictly inside no polygon: then it lies on the boundaries of the polygons that cover
 /// its surroundings, and the status is no_path, unless the two ends are equal.
-std::optional<PathStatus> Ends::known_status() {
+std::optional<PathStatus> PointEnds::known_status() {
   std::swap(crossed_before_stop_, crossed_);
   crossed_.clear();
   const bool is_start_blocked =
@@ -120,22 +120,22 @@ std::optional<PathStatus> Ends::known_status() {
   return std::nullopt;
 }
 
-bool Ends::sees_goal() {
+bool PointEnds::sees_goal() {
   StraightLine line(*this);
   constraint::SegmentWalk(*triangulation_, start_, goal_, start_location_).run(line);
   return line.is_clear();
 }
 
 // A position strictly inside a polygon has no open face around it.
-void Ends::find_start_faces() {
+void PointEnds::find_start_faces() {
   start_faces_ = cover_finder_.open_faces(*triangulation_, start_location_);
   is_start_known_ = true;
 }
 
-void Ends::find_goal_faces() { goal_faces_ = cover_finder_.open_faces(*triangulation_, goal_location_); }
+void PointEnds::find_goal_faces() { goal_faces_ = cover_finder_.open_faces(*triangulation_, goal_location_); }
 
 /// Moves the ends that have no open face around them. Returns whether both ends now have an open face around them.
-bool Ends::move_blocked_ends() {
+bool PointEnds::move_blocked_ends() {
   if (start_faces_.empty() && may_start_move_) move_start(goal_faces_);
   if (goal_faces_.empty() && !start_faces_.empty()) {
     if (const auto found = find_free_position(goal_, goal_location_, start_faces_)) move_goal_to(*found);
@@ -145,7 +145,7 @@ bool Ends::move_blocked_ends() {
 
 /// A rounding error may have put an end beyond a wall. If the ends are not connected, and an end is at most a rounding
 /// error away from a wall that separates them, moves this end across the wall. Returns whether it has moved an end.
-bool Ends::move_end_across_wall() {
+bool PointEnds::move_end_across_wall() {
   if (abstraction_ == nullptr || !(tolerance() > 0.0) || are_connected(abstraction_->components())) return false;
   const double rounding = std::min(tolerance(), default_end_tolerance(triangulation_->domain()));
   if (may_start_move_) {
@@ -159,18 +159,18 @@ bool Ends::move_end_across_wall() {
   return found.has_value();
 }
 
-void Ends::move_start(const std::vector<HalfEdge>& goal_faces) {
+void PointEnds::move_start(const std::vector<HalfEdge>& goal_faces) {
   if (const auto found = find_free_position(start_, start_location_, goal_faces)) move_start_to(*found);
 }
 
-void Ends::move_start_to(const Point& point) {
+void PointEnds::move_start_to(const Point& point) {
   moved_start_ = MovedEnd{start_, point};
   start_ = point;
   start_location_ = triangulation_->triangulation().locate(start_);
   find_start_faces();
 }
 
-void Ends::move_goal_to(const Point& point) {
+void PointEnds::move_goal_to(const Point& point) {
   moved_goal_ = MovedEnd{goal_, point};
   goal_ = point;
   goal_location_ = triangulation_->triangulation().locate(goal_);
@@ -179,8 +179,8 @@ void Ends::move_goal_to(const Point& point) {
 
 /// Returns the free position nearest to an end. If some free positions within the limit are connected with the other
 /// end, returns the nearest of these.
-std::optional<Point> Ends::find_free_position(const Point& end, const locate::Located& location,
-                                              const std::vector<HalfEdge>& other_faces) {
+std::optional<Point> PointEnds::find_free_position(const Point& end, const locate::Located& location,
+                                                   const std::vector<HalfEdge>& other_faces) {
   const double limit = tolerance();
   if (!(limit > 0.0)) return std::nullopt;
   if (abstraction_ != nullptr && !other_faces.empty()) {
@@ -189,13 +189,13 @@ std::optional<Point> Ends::find_free_position(const Point& end, const locate::Lo
   return free_positions_.nearest(*triangulation_, cover_finder_, end, location, limit, {});
 }
 
-std::optional<Point> Ends::find_connected_position(const Point& end, const locate::Located& location,
-                                                   const std::vector<HalfEdge>& other_faces, double limit) {
+std::optional<Point> PointEnds::find_connected_position(const Point& end, const locate::Located& location,
+                                                        const std::vector<HalfEdge>& other_faces, double limit) {
   return free_positions_.nearest(*triangulation_, cover_finder_, end, location, limit,
                                  {&abstraction_->components(), &other_faces});
 }
 
-void Ends::write_moved_and_blocked(PathStatus status, Path& path) {
+void PointEnds::write_moved_and_blocked(PathStatus status, Path& path) {
   path.moved_start = moved_start_;
   path.moved_goal = moved_goal_;
   const bool is_start = status == PathStatus::start_blocked;
@@ -207,13 +207,13 @@ void Ends::write_moved_and_blocked(PathStatus status, Path& path) {
   std::sort(path.blockers.begin(), path.blockers.end());
 }
 
-bool Ends::are_covered() {
+bool PointEnds::are_covered() {
   const auto is_covered = [&](HalfEdge h) { return cover_finder_.is_covered(*triangulation_, h); };
   return std::any_of(start_faces_.begin(), start_faces_.end(), is_covered) ||
          std::any_of(goal_faces_.begin(), goal_faces_.end(), is_covered);
 }
 
-bool Ends::are_connected(const nav::Components& components) const {
+bool PointEnds::are_connected(const nav::Components& components) const {
   for (const HalfEdge start : start_faces_) {
     for (const HalfEdge goal : goal_faces_) {
       if (components.component_of(mesh::face(start)) == components.component_of(mesh::face(goal))) return true;

@@ -9,10 +9,9 @@
 #include "waywright/changed_box.hpp"
 #include "waywright/path.hpp"
 
-#include "world/box_tree.hpp"
-#include "world/piece_bucket.hpp"
+#include "watch/box_grid.hpp"
 
-namespace waywright {
+namespace waywright::watch {
 
 /// The watched paths of queries that have found no path, and where a change can make a path possible.
 ///
@@ -54,8 +53,12 @@ class Refusals {
   void set_barrier(std::uint32_t slot, const std::optional<Box>& box, bool fits);
 
  private:
-  using Boxes = BoxTree<PieceBucket>;
   enum Index : std::uint8_t { kStart, kGoal, kBarrier, kCount };
+  struct BoxOfPath {
+    std::uint32_t slot;
+    Index index;
+  };
+  using Boxes = BoxGrid<BoxOfPath>;
 
   struct Entry {
     Refusal refusal;
@@ -79,4 +82,4 @@ class Refusals {
   std::vector<std::uint32_t> listed_;
 };
 
-}  // namespace waywright
+}  // namespace waywright::watch

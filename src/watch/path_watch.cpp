@@ -15,25 +15,22 @@
 #include "constraint/slot_sets.hpp"
 #include "nav/abstraction.hpp"
 #include "nav/point_agent.hpp"
-#include "path/ends.hpp"
+#include "path/fit_finder.hpp"
 #include "path/pieces.hpp"
+#include "path/point_ends.hpp"
 #include "path/polyline_walk.hpp"
 #include "path/reset.hpp"
-#include "world/area_graphs.hpp"
-#include "world/areas.hpp"
-#include "world/box_tree.hpp"
-#include "world/ellipse_bucket.hpp"
-#include "world/key_order.hpp"
-#include "world/path_ellipse.hpp"
-#include "world/path_slack.hpp"
-#include "world/piece_bucket.hpp"
+#include "watch/areas.hpp"
+#include "watch/box_grid.hpp"
+#include "watch/box_tests.hpp"
+#include "watch/key_order.hpp"
+#include "watch/refusals.hpp"
 #include "world/point_error.hpp"
-#include "world/query_scratch.hpp"
-#include "world/refusals.hpp"
-#include "world/rough_tests.hpp"
 #include "world/world_impl.hpp"
 
 namespace waywright {
+
+using namespace watch;
 
 namespace {
 
@@ -59,26 +56,18 @@ void for_each_box_of_line(const Point& a, const Point& b, double reach, const Bo
   }
 }
 
-/// The ends of a diagonal of a box, from left to right.
-std::array<Point, 2> ends_of(const Box& box, Diagonal diagonal) {
-  const bool rises = diagonal == Diagonal::rising;
-  return {Point{box.min.x, rises ? box.min.y : box.max.y}, Point{box.max.x, rises ? box.max.y : box.min.y}};
-}
+/// One box of a piece of a path. A piece is a segment or an arc. A long segment has several boxes.
+struct Piece {
+  std::uint32_t slot;   ///< of the path
+  std::uint32_t index;  ///< of the segment or arc in the path
+  Diagonal diagonal;
+};
 
-/// Returns false only if the box contains no position whose coordinates differ by at most 2 `slack` from a position of
-/// the diagonal of `around`. Requires: the boxes overlap. An update calls this function for hundreds of boxes. The
-/// function reads no path, because the paths are rarely in the cache.
-bool may_touch_diagonal(const Box& around, Diagonal diagonal, const Box& box, double slack) {
-  if (diagonal == Diagonal::none) return true;
-  const auto [from, to] = ends_of(around, diagonal);
-  const Point along = to - from;
-  const double extent = std::abs(along.x) + std::abs(along.y);
-  const double error = extent * (8.0 * slack + 0x1p-48 * (extent + box.width() + box.height()));
-  const auto [least, most] =
-      std::minmax({cross(along, box.min - from), cross(along, box.max - from),
-                   cross(along, Point{box.min.x, box.max.y} - from), cross(along, Point{box.max.x, box.min.y} - from)});
-  return least <= error && most >= -error;
-}
+/// An ellipse of a path.
+struct EllipseOfPath {
+  Ellipse ellipse;
+  std::uint32_t slot;
+};
 
 /// The lists of an answer, empty at first. During an update, `blocked` and `may_be_blocked` contain slots. At the end,
 /// the update replaces the slots by keys. If memory runs out, the destructor empties the lists.
@@ -107,10 +96,10 @@ class Answer {
 }  // namespace
 
 struct WAYWRIGHT_INTERNAL PathWatch::Impl {
-  using Pieces = BoxTree<PieceBucket>;
-  using Ellipses = BoxTree<EllipseBucket>;
+  using Pieces = BoxGrid<Piece>;
+  using Ellipses = BoxGrid<EllipseOfPath>;
   using Boxes = std::span<const ChangedBox>;
-  using ExactTriangulation = constraint::ExactTriangulation;
+  using ConstrainedTriangulation = constraint::ConstrainedTriangulation;
 
   /// What an update reads of each path near a change. Thousands of these fit into the cache.
   struct State {
@@ -138,12 +127,12 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
         refusals(domain) {}
 
   static bool has_crossings(const World& world) {
-    return world.impl_->triangulation.triangulation().geometry().has_constructed();
+    return world.impl_->triangulation().triangulation().geometry().has_constructed();
   }
 
   /// The state of the components (nav::Abstraction::connections()), or 0 without an abstraction.
   static std::uint64_t connections_of(const World& world) {
-    const nav::Abstraction* const abstraction = world.impl_->kept_abstraction();
+    const nav::Abstraction* const abstraction = world.impl_->layers.abstraction();
     return abstraction != nullptr ? abstraction->connections() : 0;
   }
 
@@ -187,7 +176,7 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
     if (is_blocked) ++blocked_count;
   }
   void check(const Piece& piece, const Box& around, const World& world, Boxes boxes, PathChanges& changes);
-  void collect_walls(const ExactTriangulation& triangulation, const Box& box);
+  void collect_walls(const ConstrainedTriangulation& triangulation, const Box& box);
   [[nodiscard]] bool crosses_wall(const Box& around, Diagonal diagonal) const;
   [[nodiscard]] bool may_lose_crossing(const ChangedBox& changed, Boxes boxes) const;
   [[nodiscard]] static bool turns_in(const Watched& path, const Box& box);
@@ -223,13 +212,13 @@ struct WAYWRIGHT_INTERNAL PathWatch::Impl {
   path::PolylineWalk walk;
 
   // Scratch of check_refusals().
-  path::Ends moved_ends;
+  path::PointEnds moved_ends;
   std::optional<FaceGraph> face_graph;  ///< set if the areas of `face_areas` belong to the present world
   Areas<FaceGraph> face_areas;
   std::optional<CellGraph> cell_graph;  ///< set if the areas of `cell_areas` belong to the present world
   double radius_of_cells = 0.0;
   Areas<CellGraph> cell_areas;
-  std::unique_ptr<detail::QueryScratch> scratch;  ///< null until the first check of a disc
+  path::FitFinder fit_finder;
   Path answer;
 };
 
@@ -298,7 +287,7 @@ void PathWatch::Impl::check(const Piece& piece, const Box& around, const World& 
 
 /// Sets `walls` to the walls that meet the box, apart from rounding errors. If the box meets many faces, `walls`
 /// contains only some of these walls.
-void PathWatch::Impl::collect_walls(const ExactTriangulation& triangulation, const Box& box) {
+void PathWatch::Impl::collect_walls(const ConstrainedTriangulation& triangulation, const Box& box) {
   constexpr std::size_t kMostFaces = 64;
   const exact::Geometry& geometry = triangulation.triangulation().geometry();
   const mesh::TriangleMesh& mesh = triangulation.topology();
@@ -370,9 +359,9 @@ bool PathWatch::Impl::touches(const Watched& path, std::uint32_t piece, const Bo
 /// Returns whether the path is clear. If it was clear before, it is enough to look at the stretches that a box touches.
 bool PathWatch::Impl::is_clear(std::uint32_t slot, const World& world, Boxes boxes) {
   using StretchState = path::PolylineWalk::StretchState;
-  const constraint::ExactTriangulation& triangulation = world.impl_->triangulation;
+  const constraint::ConstrainedTriangulation& triangulation = world.impl_->triangulation();
   const std::span<const Point> points = watched[slot].points;
-  cover_finder.use(world.impl_->kept_abstraction());
+  cover_finder.use(world.impl_->layers.abstraction());
   const auto is_touched = [&](std::size_t i) {
     const auto touches = [&](const ChangedBox& box) { return path::may_touch(points.subspan(i, 2), 0.0, box.box); };
     return std::any_of(boxes.begin(), boxes.end(), touches);
@@ -412,11 +401,14 @@ void PathWatch::Impl::check_box(const ChangedBox& changed, const World& world, B
     const bool is_checked = changed.is_insertion || state.is_blocked;
     if (!is_checked && !(may_lose && turns_in(path, changed.box))) return;
     if (piece.diagonal == Diagonal::none && !touches(path, piece.index, changed.box)) return;
-    if (changed.is_insertion && !has_walls) collect_walls(world.impl_->triangulation, changed.box);
+    if (changed.is_insertion && !has_walls) collect_walls(world.impl_->triangulation(), changed.box);
     check(piece, around, world, boxes, changes);
   };
   if (may_change) pieces.for_each_overlapping(changed.box, look_at);
-  if (changed.is_removal) ellipses.for_each_overlapping(changed.box, [&](std::uint32_t slot) { keys.mark(slot); });
+  if (!changed.is_removal) return;
+  ellipses.for_each_overlapping(changed.box, [&](const EllipseOfPath& path, const Box&) {
+    if (may_meet(path.ellipse, changed.box)) keys.mark(path.slot);
+  });
 }
 
 void PathWatch::Impl::check_all(const World& world, PathChanges& changes) {
@@ -456,18 +448,18 @@ bool PathWatch::Impl::has_become_possible(std::uint32_t slot, const World::Impl&
   const Refusals::Refusal& refusal = refusals.refusal(slot);
   const QueryEnds& asked = refusal.ends;
   if (refusal.agent.radius > 0.0) {
-    if (!world.clearance) return true;  // the path is not an answer of this world
+    if (!world.layers.kept().has_bridges) return true;  // the path is not an answer of this world
     PathQuery query{
         .start = asked.start, .goal = asked.goal, .agent = refusal.agent, .end_tolerance = asked.end_tolerance};
     return can_disc_pass(query, refusals.fits_at_ends(slot), world, barrier);
   }
-  moved_ends.set_start(world.triangulation, world.kept_abstraction(), asked.start, asked.end_tolerance);
+  moved_ends.set_start(world.triangulation(), world.layers.abstraction(), asked.start, asked.end_tolerance);
   if (asked.has_many_goals) moved_ends.move_blocked_start();
   const std::optional<PathStatus> known = moved_ends.find_status_without_search(asked.goal);
   if (known) return known == PathStatus::found;
-  if (world.abstraction) return true;
+  if (world.layers.kept().has_abstraction) return true;
   if (!face_graph)
-    face_areas.begin(face_graph.emplace(world.triangulation), world.triangulation.topology().face_slots());
+    face_areas.begin(face_graph.emplace(world.triangulation()), world.triangulation().topology().face_slots());
   return are_in_one_area(barrier);
 }
 
@@ -489,17 +481,15 @@ bool PathWatch::Impl::are_in_one_area(std::optional<Box>& barrier) {
 /// `fits` says that it is known to fit without a move.
 bool PathWatch::Impl::can_disc_pass(PathQuery& query, bool fits, const World::Impl& world,
                                     std::optional<Box>& barrier) {
-  if (!scratch) scratch = std::make_unique<detail::QueryScratch>();
+  const path::Ground ground = world.ground();
   path::reset(answer);
-  if (!fits && !world.move_blocked_disc_ends(query, *scratch, answer)) return false;
-  const constraint::ExactTriangulation& mesh = world.mesh_of_discs();
-  const clearance::Bridges& bridges = world.clearance->bridges();
-  const auto start = scratch->near_walls.find_cell(mesh, bridges, query.start);
-  const auto goal = scratch->near_walls.find_cell(mesh, bridges, query.goal);
+  if (!fits && !fit_finder.move_blocked_ends(ground, query, answer)) return false;
+  const auto start = fit_finder.find_cell(ground, query.start);
+  const auto goal = fit_finder.find_cell(ground, query.goal);
   if (!start || !goal) return true;
   if (!cell_graph || radius_of_cells != query.agent.radius) {
     radius_of_cells = query.agent.radius;
-    cell_graph.emplace(mesh, bridges, query.agent.radius);
+    cell_graph.emplace(*ground.walls, *ground.bridges, query.agent.radius);
     cell_areas.begin(*cell_graph, cell_graph->key_count());
   }
   Box enclosed;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace waywright {
+namespace waywright::watch {
 
 /// Keeps the keys of all slots in ascending order. So it can list the keys of any set of slots in ascending order
 /// without sorting them all: it sorts only keys that are new.
@@ -147,4 +147,4 @@ inline void KeyOrder::sort_new() {
   removed_ = 0;
 }
 
-}  // namespace waywright
+}  // namespace waywright::watch

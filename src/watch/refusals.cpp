@@ -1,12 +1,12 @@
-#include "world/refusals.hpp"
+#include "watch/refusals.hpp"
 
 #include <algorithm>
 #include <tuple>
 #include <utility>
 
-#include "world/path_slack.hpp"
+#include "watch/box_tests.hpp"
 
-namespace waywright {
+namespace waywright::watch {
 
 void Refusals::add(std::uint32_t slot, const Refusal& refusal, double tolerance) {
   if (entries_.size() <= slot) entries_.resize(std::max<std::size_t>(slot + 1, 2 * entries_.size()));
@@ -17,7 +17,7 @@ void Refusals::add(std::uint32_t slot, const Refusal& refusal, double tolerance)
   const double reach = std::min((tolerance + refusal.agent.radius) * (1.0 + 0x1p-30), 4.0 * kLargestCoordinate);
   const auto insert = [&](const Point& end, Index index) {
     const Box box = Box{end, end}.expanded(reach + slack_of(domain_.min, domain_.max));
-    entry.boxes[index] = boxes_.insert(box, {slot, index, Diagonal::none});
+    entry.boxes[index] = boxes_.insert(box, {slot, index});
   };
   // If the second insertion fails, remove() takes the first one back.
   entry.is_used = true;
@@ -58,7 +58,7 @@ void Refusals::set_barrier(std::uint32_t slot, const std::optional<Box>& box, bo
   Entry& entry = entries_[slot];
   if (box) {
     const Box larger = box->expanded(slack_of(domain_.min, domain_.max));
-    entry.boxes[kBarrier] = boxes_.insert(larger, {slot, kBarrier, Diagonal::none});
+    entry.boxes[kBarrier] = boxes_.insert(larger, {slot, kBarrier});
   }
   entry.is_decided = true;
   entry.did_fit = fits;
@@ -75,8 +75,8 @@ void Refusals::put(std::uint32_t slot, bool is_changed) {
 std::span<const std::uint32_t> Refusals::list(std::span<const ChangedBox> changes, bool all, bool all_points) {
   listed_.clear();
   for (const ChangedBox& changed : changes) {
-    boxes_.for_each_overlapping(changed.box, [&](const Piece& piece, const Box&) {
-      if (piece.index != kBarrier || changed.is_removal) put(piece.slot, piece.index != kBarrier);
+    boxes_.for_each_overlapping(changed.box, [&](const BoxOfPath& box, const Box&) {
+      if (box.index != kBarrier || changed.is_removal) put(box.slot, box.index != kBarrier);
     });
   }
   if (all || all_points || undecided_ != 0) {
@@ -91,4 +91,4 @@ std::span<const std::uint32_t> Refusals::list(std::span<const ChangedBox> change
   return listed_;
 }
 
-}  // namespace waywright
+}  // namespace waywright::watch

@@ -18,9 +18,9 @@ namespace waywright::path {
 /// The start and the goal of a path, and the faces around each of them that no polygon covers. If there is no such face
 /// around an end, the class moves the end to the nearest free position, if this position is near enough. Use one object
 /// for many queries, because it keeps its memory.
-class Ends {
+class PointEnds {
  public:
-  using Triangulation = constraint::ExactTriangulation;
+  using Triangulation = constraint::ConstrainedTriangulation;
 
   /// Locates the start. `tolerance` is the largest distance by which an end may be moved; the default is
   /// default_end_tolerance(). Uses `abstraction` if it is not null. Requires: the triangulation and the abstraction do
