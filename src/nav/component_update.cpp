@@ -54,24 +54,25 @@ void ComponentUpdate::start(Components& components, const mesh::TriangleMesh& me
 
 /// Takes the changed faces out of their components. Removes a component that has no face left.
 void ComponentUpdate::remove_changed_faces(std::span<const Face> changed) {
+  Components& components = *components_;
   may_have_connected_ = false;
   Id open = kNone;  // a component that no polygon covers
   Id id = kNone;
   std::uint32_t size = 0;
   const auto write = [&] {
     if (id == kNone) return;
-    components_->set_size(id, size);
-    if (size == 0) components_->remove(id);
+    components.set_size(id, size);
+    if (size == 0) components.remove(id);
   };
   for (const Face f : changed) {
-    const Id own = components_->component_of(f);
+    const Id own = components.component_of(f);
     if (own == kNone) continue;
-    components_->set_component(f, kNone);
+    components.set_component(f, kNone);
     if (own != id) {
       write();
       id = own;
-      size = components_->size(own);
-      if (components_->cover(own) == CoverTree::kEmpty) {
+      size = components.size(own);
+      if (components.cover(own) == CoverTree::kEmpty) {
         may_have_connected_ = may_have_connected_ || (open != kNone && open != own);
         open = own;
       }
@@ -85,6 +86,8 @@ void ComponentUpdate::remove_changed_faces(std::span<const Face> changed) {
 /// have not changed, either. So if an old component has lost faces, each of its remaining pieces has a passage to a new
 /// face: each piece contains an old neighbour of a group.
 void ComponentUpdate::find_groups(std::span<const Face> new_faces) {
+  const Components& components = *components_;
+  const mesh::TriangleMesh& mesh = *mesh_;
   groups_.clear();
   group_sets_.clear();
   regions_.clear();
@@ -104,10 +107,10 @@ void ComponentUpdate::find_groups(std::span<const Face> new_faces) {
     for (std::size_t i = begin; i < faces_.size(); ++i) {
       for (std::uint32_t k = 0; k < 3; ++k) {
         const HalfEdge h = mesh::half_edge(faces_[i], k);
-        if (!PointAgent::can_cross(*mesh_, h)) continue;
-        const Face other = mesh::face(mesh_->twin(h));
-        if (components_->component_of(other) != kNone) {
-          old_neighbours_.push_back({components_->component_of(other), group, other});
+        if (!PointAgent::can_cross(mesh, h)) continue;
+        const Face other = mesh::face(mesh.twin(h));
+        if (components.component_of(other) != kNone) {
+          old_neighbours_.push_back({components.component_of(other), group, other});
         } else if (marks_.get(other) == no_group) {
           marks_.set(other, group_mark);
           faces_.push_back(other);
@@ -370,6 +373,7 @@ void ComponentUpdate::add_piece(std::uint32_t set, Id component) {
 // piece, whose faces a search has listed, or the rest of an old component after its pieces (OldPart). If the set has
 // such rests, the component takes the id of the largest of them.
 void ComponentUpdate::assign_components() {
+  Components& components = *components_;
   for (const OldPart& part : old_parts_) {
     Group& group = groups_[root_of(group_sets_, part.group)];
     if (part.is_piece || (group.id != kNone && part.size <= group.size)) continue;
@@ -379,7 +383,7 @@ void ComponentUpdate::assign_components() {
   for (Group& group : groups_) group.size = 0;
   for (const OldPart& part : old_parts_) {
     Group& group = groups_[root_of(group_sets_, part.group)];
-    if (group.id == kNone) group.id = components_->add(0, components_->cover(part.component));
+    if (group.id == kNone) group.id = components.add(0, components.cover(part.component));
     group.size += part.size;
   }
   for (const OldPart& part : old_parts_) move_to(part, groups_[root_of(group_sets_, part.group)].id);
@@ -389,25 +393,27 @@ void ComponentUpdate::assign_components() {
     first.size += group.end - group.begin;
     group.id = first.id;
     if (group.id == kNone) continue;
-    for (std::uint32_t k = group.begin; k < group.end; ++k) components_->set_component(faces_[k], group.id);
+    for (std::uint32_t k = group.begin; k < group.end; ++k) components.set_component(faces_[k], group.id);
   }
   for (std::uint32_t i = 0; i < groups_.size(); ++i) {
     const Group& group = groups_[i];
     if (group.id == kNone || root_of(group_sets_, i) != i) continue;
-    components_->set_size(group.id, group.size);
+    components.set_size(group.id, group.size);
   }
 }
 
 void ComponentUpdate::move_to(const OldPart& part, Id id) {
+  Components& components = *components_;
+  const mesh::TriangleMesh& mesh = *mesh_;
   if (id == part.component) return;
   if (part.is_piece) {
-    for (std::uint32_t i = part.begin; i < part.end; ++i) components_->set_component(piece_faces_[i], id);
+    for (std::uint32_t i = part.begin; i < part.end; ++i) components.set_component(piece_faces_[i], id);
     return;
   }
   stack_.clear();
   const auto visit = [&](Face f) {
-    if (components_->component_of(f) != part.component) return;
-    components_->set_component(f, id);
+    if (components.component_of(f) != part.component) return;
+    components.set_component(f, id);
     stack_.push_back(f);
   };
   for (std::uint32_t i = part.begin; i < part.end; ++i) {
@@ -419,10 +425,10 @@ void ComponentUpdate::move_to(const OldPart& part, Id id) {
     stack_.pop_back();
     for (std::uint32_t i = 0; i < 3; ++i) {
       const HalfEdge h = mesh::half_edge(f, i);
-      if (PointAgent::can_cross(*mesh_, h)) visit(mesh::face(mesh_->twin(h)));
+      if (PointAgent::can_cross(mesh, h)) visit(mesh::face(mesh.twin(h)));
     }
   }
-  components_->remove(part.component);
+  components.remove(part.component);
 }
 
 /// Makes a new component of each group that is not connected to an old face.
