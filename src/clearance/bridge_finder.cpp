@@ -265,9 +265,7 @@ bool BridgeFinder::is_blocked_by(const Gap& gap, HalfEdge wall) const {
 
 namespace {
 
-constexpr double kUnit = 0x1p-46;  ///< much more than the relative errors of the formulas below
-
-double extent_of(const Point& p) { return std::abs(p.x) + std::abs(p.y); }
+constexpr double kTreeUnit = 0x1p-46;  ///< much more than the relative errors of the formulas below
 
 }  // namespace
 
@@ -281,7 +279,7 @@ void SearchRegion::begin(const Box& box) {
 // corners, which are much smaller than `slack`.
 void SearchRegion::clip(const Point& normal, double limit, double error) {
   const double extent = std::max(-bounds_.min.x, bounds_.max.x) + std::max(-bounds_.min.y, bounds_.max.y);
-  const double total_error = error + kUnit * extent_of(normal);
+  const double total_error = error + kTreeUnit * extent_of(normal);
   const double slack = 4.0 * total_error * (extent + extent_of(normal));
   const HalfPlane half_plane{normal, limit + slack, total_error};
   const Point farthest{normal.x > 0.0 ? bounds_.max.x : bounds_.min.x, normal.y > 0.0 ? bounds_.max.y : bounds_.min.y};
@@ -303,7 +301,7 @@ void SearchRegion::clip(const Point& normal, double limit, double error) {
   half_planes_.push_back(half_plane);
   corners_.swap(clipped_);
   bounds_ = {{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}};
-  const double rounding = kUnit * extent;
+  const double rounding = kTreeUnit * extent;
   for (const Point& p : corners_) {
     bounds_.min = {std::min(bounds_.min.x, p.x - rounding), std::min(bounds_.min.y, p.y - rounding)};
     bounds_.max = {std::max(bounds_.max.x, p.x + rounding), std::max(bounds_.max.y, p.y + rounding)};
@@ -312,7 +310,7 @@ void SearchRegion::clip(const Point& normal, double limit, double error) {
 
 bool SearchRegion::may_contain(const Point& z, double error) const {
   const double extent = extent_of(z);
-  const double slack = kUnit * extent + error;
+  const double slack = kTreeUnit * extent + error;
   if (!Box{bounds_.min - Point{slack, slack}, bounds_.max + Point{slack, slack}}.contains(z)) return false;
   return std::none_of(half_planes_.begin(), half_planes_.end(), [&](const HalfPlane& half_plane) {
     const double of_normal = half_plane.error * (extent + 2.0 * error);
@@ -391,7 +389,7 @@ void BridgeFinder::find_far_ends(Vertex w, HalfEdge corner, const ChangedWalls* 
   Box box;
   const auto take_bounds = [&] {
     const Box& bounds = region.bounds();
-    const double slack = 4.0 * (rounding_ + kUnit * (extent_of(from) + extent_of(domain.max - domain.min)));
+    const double slack = 4.0 * (rounding_ + kTreeUnit * (extent_of(from) + extent_of(domain.max - domain.min)));
     box = {bounds.min + from - Point{slack, slack}, bounds.max + from + Point{slack, slack}};
   };
   take_bounds();
@@ -427,7 +425,7 @@ void BridgeFinder::offer_far_wall(Vertex w, HalfEdge wall, bool is_ignored) {
   const double at_p = p.x * along.x + p.y * along.y;
   const double at_q = q.x * along.x + q.y * along.y;
   const double extent = extent_of(p) + extent_of(q);
-  const double slack = (kUnit * extent + 8.0 * rounding_) * (extent + 8.0 * rounding_);
+  const double slack = (kTreeUnit * extent + 8.0 * rounding_) * (extent + 8.0 * rounding_);
   const auto offer = [&](Vertex end, const Point& position, double error, bool is_sure) {
     if (scratch_.region.may_contain(position, error)) scratch_.far_ends.push_back({wall, end, position, error});
     if (is_sure && !is_ignored) exclude_beyond(position, error);

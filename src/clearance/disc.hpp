@@ -10,6 +10,9 @@
 
 namespace waywright::clearance {
 
+/// The sum of the magnitudes of the coordinates.
+[[nodiscard]] inline double extent_of(const Point& p) { return std::abs(p.x) + std::abs(p.y); }
+
 /// A disc in doubles, a little larger than the exact disc that it stands for. A search that visits the faces around a
 /// bridge leaves out edges that this disc does not touch. The disc also rejects a gap if the exact disc surely contains
 /// a vertex. It decides nothing else: exact predicates decide whether a gap is a bridge.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/ieee.hpp"
+#include "clearance/disc.hpp"
 
 namespace waywright::clearance {
 
@@ -25,7 +26,6 @@ double sign_of(OffsetCurve::Bias bias) {
   if (bias == OffsetCurve::Bias::none) return 0.0;
   return bias == OffsetCurve::Bias::less ? 1.0 : -1.0;
 }
-double extent_of(const Point& v) { return std::abs(v.x) + std::abs(v.y); }
 
 /// Returns a vector in the direction of the parameter of a circle.
 Point direction_of(double parameter) {
