@@ -57,6 +57,11 @@ TYPES = {
                 "Box", "BoxLike"),
     "points": Type("const ww_point*", "", "", "Points", "flatten({})", "putPoints({at}, {count_at}, {})", "",
                    "PointsArg", "ArrayLike"),
+    "id": Type("ww_id", "to_id({})", "to_c({})", "ItemId", "toId({})", "put.long({at}, {})", "idAt({at})", "ItemId", "int"),
+    "text": Type("const char*", "std::string(text_or_empty({}))", "", "string", "encode({})", "putText({at}, {})", "",
+                 "const std::string&", "str"),
+    # Lists of ids and texts in answers are parameters of their own in C.
+    "list": Type("", "", "", "string", "", "", "", "", "str"),
     "ids": Type("", "", "", "readonly ItemId[]", "", "", "", "", "list[int]"),
 }
 
@@ -68,6 +73,7 @@ def enum(c, cpp, last, ts, names):
 
 TYPES["PathAlgorithm"] = enum("ww_path_algorithm", "PathAlgorithm", "optimal", "PathAlgorithm", "PATH_ALGORITHMS")
 TYPES["PathStatus"] = enum("ww_path_status", "PathStatus", "no_path", "PathStatus", "PATH_STATUSES")
+TYPES["SvgTheme"] = enum("ww_svg_theme", "SvgTheme", "dark", "SvgTheme", "SVG_THEMES")
 TYPES["PieceKind"] = enum("ww_piece_kind", "PathPiece::Kind", "arc", "PieceKind", "PIECE_KINDS")
 
 # The defaults of queries: in C, TypeScript and the arguments and stubs of Python.
@@ -79,6 +85,9 @@ DEFAULTS = {
     "{}": ("{}", "{}", "{}", "..."),
     "infinity": ("std::numeric_limits<double>::infinity()", "Infinity", "std::numeric_limits<double>::infinity()", "..."),
     "no_limit": ("std::numeric_limits<std::int64_t>::max()", "Infinity", "py::none()", "None"),
+    "1200.0": ("1200.0", "1200", "1200.0", "1200.0"),
+    "automatic": ("WW_SVG_AUTOMATIC", "'automatic'", "SvgTheme::automatic", '"automatic"'),
+    "no_text": ("nullptr", "''", '""', '""'),
     "optimal": ("WW_ALGORITHM_OPTIMAL", "'optimal'", "PathAlgorithm::optimal", '"optimal"'),
     "kNoVertexLimit": ("kNoVertexLimit", "Infinity", "py::none()", "None"),
 }
@@ -100,6 +109,7 @@ def sentence(text):
 class Field:
     def __init__(self, struct, given):
         self.struct, self.name, self.doc = struct, given["name"], given["doc"]
+        self.is_list = given["type"] in ("ids", "list")
         self.is_optional = given["type"].endswith("?")
         self.type_name = given["type"].removesuffix("?")
         self.type = TYPES[self.type_name]
@@ -169,7 +179,7 @@ def comment(text, indent, opening="/* ", closing=" */", further="   "):
 
 def members_in_c(field):
     """Yields the members of a struct in C for a field: declarations and defaults. Lists of ids are parameters in C."""
-    if field.type_name == "ids":
+    if field.is_list:
         return
     if field.is_optional:
         yield f"ww_bool has_{field.name}", f"has_{field.name}", "0", f"whether `{field.name}` is set"
@@ -220,7 +230,7 @@ def to_cpp_in_c(struct):
 def to_c_in_c(struct):
     lines = [f"inline {struct.c} to_c(const {struct.cpp}& given) {{", f"  {struct.c} result{{}};"]
     for field in struct.fields:
-        if field.type_name == "ids":
+        if field.is_list:
             continue
         if field.is_optional:
             lines.append(f"  result.has_{field.name} = to_c(given.{field.cpp}.has_value());")
@@ -491,8 +501,8 @@ def answer_in_ts(struct):
 
 
 def read_in_ts(struct, result):
-    lists = [field for field in struct.fields if field.type_name == "ids"]
-    more = "".join(f", {field.camel}: ItemId[]" for field in lists)
+    lists = [field for field in struct.fields if field.is_list]
+    more = "".join(f", {field.camel}: {field.type.ts}" for field in lists)
     lines = ["", f"export function read{struct.name}(struct: number{more}): {result} {{",
               f"  const {{ {struct.c}: layout }} = abi;", "  return {"]
     for field in struct.fields:
@@ -515,15 +525,15 @@ def make_ts(structs):
     lines = ["// " + NOTE, ""]
     for module, names in (
         ("buffers", ["copyPoint", "flatten", "Point", "Points", "toSize"]),
-        ("enums", ["PATH_ALGORITHMS", "PATH_STATUSES", "PathAlgorithm", "PathStatus", "PIECE_KINDS", "PieceKind"]),
+        ("enums", ["PATH_ALGORITHMS", "PATH_STATUSES", "PathAlgorithm", "PathStatus", "PIECE_KINDS", "PieceKind", "SVG_THEMES", "SvgTheme"]),
         ("errors", ["toFlag", "toNumber", "toObject"]),
         ("limits", ["getLimit", "toExpansions", "toLimit", "toNanoseconds"]),
-        ("runtime", ["check", "lib", "scratch"]),
-        ("values", ["Box", "copyBox", "fromEnum", "get", "ItemId", "put", "putPoints", "readBox", "readPoint", "toEnum", "toLong",
+        ("runtime", ["check", "encode", "idAt", "lib", "scratch"]),
+        ("values", ["Box", "copyBox", "fromEnum", "get", "ItemId", "put", "putPoints", "putText", "readBox", "readPoint", "toEnum", "toLong",
                     "writeBox", "writePoint"]),
     ):
         used = [name for name in names if re.search(rf"\b{name}\b", text)]
-        types = {"Point", "Points", "Box", "ItemId", "PathAlgorithm", "PathStatus", "PieceKind"}
+        types = {"Point", "Points", "Box", "ItemId", "PathAlgorithm", "PathStatus", "PieceKind", "SvgTheme"}
         names = ", ".join(("type " if name in types else "") + name for name in used)
         if names:
             lines.append(f"import {{ {names} }} from './{module}.js';")

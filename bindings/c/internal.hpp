@@ -309,6 +309,7 @@ inline Point to_cpp(const ww_point& point) { return {point.x, point.y}; }
 inline Box to_cpp(const ww_box& box) { return {to_cpp(box.min), to_cpp(box.max)}; }
 inline ww_point to_c(const Point& point) { return {point.x, point.y}; }
 inline ww_box to_c(const Box& box) { return {to_c(box.min), to_c(box.max)}; }
+inline ItemId to_id(ww_id id) { return ItemId{id}; }
 inline ww_id to_c(ItemId id) { return id.value; }
 inline ww_bool to_c(bool value) { return value ? 1 : 0; }
 inline ww_items_hash to_c(const ItemsHash& hash) { return {{hash.words[0], hash.words[1]}}; }

@@ -48,9 +48,7 @@ ww_status ww_world_items_crossed(const ww_world* world, ww_point from, ww_point 
     Context& kept = object(context);
     const Result<void> done = object(world).items_crossed(to_cpp(from), to_cpp(to), kept.query, kept.crossed);
     if (!done.ok()) return fail(done.error());
-    return list.write(kept.crossed, [](const CrossedItem& item) {
-      return ww_crossed_item{item.id.value, c::to_c(item.at)};
-    });
+    return list.write(kept.crossed, [](const CrossedItem& item) { return c::to_c(item); });
   });
 }
 

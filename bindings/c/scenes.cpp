@@ -176,8 +176,7 @@ ww_status ww_scenario_get(const ww_scenario* scenario, size_t index, ww_scenario
     const std::vector<ScenarioQuery>& queries = object(scenario);
     require(index < queries.size(), "a scenario has no query of this index");
     const ScenarioQuery& given = queries[index];
-    out.write(
-        {0, given.line, given.width, given.height, to_c(given.start), to_c(given.goal), given.length, given.precision});
+    out.write(to_c(given));
     return write_text(given.map, map, capacity, count);
   });
 }

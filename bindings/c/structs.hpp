@@ -90,6 +90,56 @@ inline ww_world_options to_c(const WorldOptions& given) {
   return result;
 }
 
+// SvgOptions. If it has members that the table lacks, this function does not compile.
+inline void check_members(const SvgOptions& given) {
+  [[maybe_unused]] const auto& [m0, m1, m2, m3, m4, m5, m6, m7] = given;
+  static_cast<void>(given.theme);
+  static_cast<void>(given.width);
+  static_cast<void>(given.mesh);
+  static_cast<void>(given.axes);
+  static_cast<void>(given.ids);
+  static_cast<void>(given.y_down);
+  static_cast<void>(given.crop);
+  static_cast<void>(given.title);
+}
+inline constexpr ww_svg_options kDefaultSvgOptions{
+    .struct_size = sizeof(ww_svg_options),
+    .theme = WW_SVG_AUTOMATIC,
+    .width = 1200.0,
+    .mesh = 1,
+    .axes = 1,
+    .ids = 1,
+    .y_down = 0,
+    .has_crop = 0,
+    .crop = {},
+    .title = nullptr,
+};
+inline SvgOptions to_cpp(const ww_svg_options& given) {
+  SvgOptions result{};
+  result.theme = to_enum(given.theme, SvgTheme::dark);
+  result.width = given.width;
+  result.mesh = is_set(given.mesh);
+  result.axes = is_set(given.axes);
+  result.ids = is_set(given.ids);
+  result.y_down = is_set(given.y_down);
+  if (is_set(given.has_crop)) result.crop = to_cpp(given.crop);
+  result.title = std::string(text_or_empty(given.title));
+  return result;
+}
+
+// CrossedItem. If it has members that the table lacks, this function does not compile.
+inline void check_members(const CrossedItem& given) {
+  [[maybe_unused]] const auto& [m0, m1] = given;
+  static_cast<void>(given.id);
+  static_cast<void>(given.at);
+}
+inline ww_crossed_item to_c(const CrossedItem& given) {
+  ww_crossed_item result{};
+  result.id = to_c(given.id);
+  result.at = to_c(given.at);
+  return result;
+}
+
 // RayHit. If it has members that the table lacks, this function does not compile.
 inline void check_members(const RayHit& given) {
   [[maybe_unused]] const auto& [m0, m1, m2, m3] = given;
@@ -380,6 +430,30 @@ inline ww_changed_box to_c(const ChangedBox& given) {
   result.box = to_c(given.box);
   result.is_insertion = to_c(given.is_insertion);
   result.is_removal = to_c(given.is_removal);
+  return result;
+}
+
+// ScenarioQuery. If it has members that the table lacks, this function does not compile.
+inline void check_members(const ScenarioQuery& given) {
+  [[maybe_unused]] const auto& [m0, m1, m2, m3, m4, m5, m6, m7] = given;
+  static_cast<void>(given.map);
+  static_cast<void>(given.line);
+  static_cast<void>(given.width);
+  static_cast<void>(given.height);
+  static_cast<void>(given.start);
+  static_cast<void>(given.goal);
+  static_cast<void>(given.length);
+  static_cast<void>(given.precision);
+}
+inline ww_scenario_query to_c(const ScenarioQuery& given) {
+  ww_scenario_query result{};
+  result.line = given.line;
+  result.width = given.width;
+  result.height = given.height;
+  result.start = to_c(given.start);
+  result.goal = to_c(given.goal);
+  result.length = given.length;
+  result.precision = given.precision;
   return result;
 }
 

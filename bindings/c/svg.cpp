@@ -8,8 +8,6 @@ namespace waywright::c {
 
 namespace {
 
-constexpr ww_svg_options kSvgOptions{sizeof(ww_svg_options), WW_SVG_AUTOMATIC, 1200.0, 1, 1, 1, 0, 0, {}, nullptr};
-
 /// Returns the domain's part of the transform that a frame describes.
 SvgFrame to_frame(const ww_svg_frame* frame) {
   const ww_svg_frame given = read_struct(frame, {});
@@ -24,16 +22,7 @@ std::vector<ItemId> to_ids(const ww_id* ids, std::size_t count) {
 }  // namespace
 
 SvgOptions to_options(const ww_svg_options* options) {
-  const ww_svg_options given = options != nullptr ? read_struct(options, kSvgOptions) : kSvgOptions;
-  SvgOptions wanted{.width = given.width,
-                    .mesh = is_set(given.mesh),
-                    .axes = is_set(given.axes),
-                    .ids = is_set(given.ids),
-                    .y_down = is_set(given.y_down),
-                    .theme = to_enum(given.theme, SvgTheme::dark),
-                    .title = std::string(text_or_empty(given.title))};
-  if (is_set(given.has_crop)) wanted.crop = to_cpp(given.crop);
-  return wanted;
+  return to_cpp(options != nullptr ? read_struct(options, kDefaultSvgOptions) : kDefaultSvgOptions);
 }
 
 }  // namespace waywright::c
@@ -42,7 +31,7 @@ using namespace waywright;
 using namespace waywright::c;
 
 ww_status ww_svg_options_init(ww_svg_options* options, size_t struct_size) {
-  return init_struct(options, struct_size, kSvgOptions);
+  return init_struct(options, struct_size, kDefaultSvgOptions);
 }
 
 ww_status ww_world_to_svg(const ww_world* world, const ww_svg_overlay* overlay, const ww_svg_options* options,

@@ -513,8 +513,9 @@ WW_API ww_status ww_world_locate(const ww_world* world, ww_point point, ww_conte
 WW_API ww_status ww_world_items_at(const ww_world* world, ww_point point, ww_context* context, ww_id* items,
                                    size_t capacity, size_t* count);
 
+/* An item that a segment meets. */
 typedef struct ww_crossed_item {
-  ww_id id;
+  ww_id id;    /* the id of the item */
   ww_point at; /* where the segment meets a side of the item, or where their overlap starts; rounded to nearest */
 } ww_crossed_item;
 
@@ -1214,13 +1215,14 @@ WW_API ww_status ww_script_item(const ww_script* script, size_t index, ww_items*
 /* Sets a scene to the items that are left after all changes of a script. Ignores changes that a world would refuse. */
 WW_API ww_status ww_script_scene(const ww_script* script, ww_scene* scene);
 
+/* A query of a scenario of Moving AI. */
 typedef struct ww_scenario_query {
   uint32_t struct_size;
-  uint32_t line;   /* the line in the text, from 1 */
-  uint64_t width;  /* the width of the map in tiles */
-  uint64_t height; /* the height of the map in tiles */
-  ww_point start;
-  ww_point goal;
+  uint32_t line;    /* the line in the text, from 1 */
+  uint64_t width;   /* the width of the map in tiles */
+  uint64_t height;  /* the height of the map in tiles */
+  ww_point start;   /* where the path starts */
+  ww_point goal;    /* where the path ends */
   double length;    /* the length of the path that the author has found; negative if the author found none */
   double precision; /* half a unit of the last digit of `length` */
 } ww_scenario_query;
@@ -1314,19 +1316,19 @@ WW_API ww_status ww_find_difference(const ww_script* log, const ww_script* other
 typedef int32_t ww_svg_theme;
 enum { WW_SVG_AUTOMATIC = 0, WW_SVG_LIGHT = 1, WW_SVG_DARK = 2 };
 
-/* The options of a picture. The part of the picture that shows the world is the map. The title, the axes and the legend
-   lie around the map. */
+/* The options of a picture. The part of the picture that shows the world is the map. The title, the axes and the
+   legend lie around the map. */
 typedef struct ww_svg_options {
   uint32_t struct_size;
-  ww_svg_theme theme; /* WW_SVG_AUTOMATIC by default */
+  ww_svg_theme theme; /* `automatic` by default */
   double width;       /* in pixels, 240 to 100,000; 1200 by default; the height follows from the content */
-  ww_bool mesh;       /* 1 by default: draw the edges of the mesh that are not constrained */
-  ww_bool axes;       /* 1 by default: draw marks with coordinates on the axes, a scale bar, and the direction of y */
-  ww_bool ids;        /* 1 by default: show the kind and the id of an item while the pointer is on it */
-  ww_bool y_down;     /* 0 by default: whether the y axis of the world points down */
-  ww_bool has_crop;   /* 0 by default: the picture shows the domain */
-  ww_box crop;        /* the box that the picture shows, if has_crop is set; it may extend beyond the domain */
-  const char* title;  /* the text above the map; null by default, for none */
+  ww_bool mesh;       /* whether the picture shows the edges of the mesh that are not constrained; true by default */
+  ww_bool axes;       /* whether it has marks with coordinates, a scale bar, and the direction of y; true by default */
+  ww_bool ids;        /* whether it shows the kind and the id of an item while the pointer is on it; true by default */
+  ww_bool y_down;     /* whether the y axis of the world points down */
+  ww_bool has_crop;   /* whether `crop` is set */
+  ww_box crop;        /* the box that the picture shows; it may extend beyond the domain, which is the default */
+  const char* title;  /* the text above the map; none by default */
 } ww_svg_options;
 
 /* The transform between a world and its picture. */

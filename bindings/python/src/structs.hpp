@@ -55,6 +55,23 @@ inline WorldOptions to_world_options(WAYWRIGHT_WORLD_OPTIONS_PARAMETERS) {
   return result;
 }
 
+// The options of SvgOptions as parameters, as names, and as arguments of pybind11.
+#define WAYWRIGHT_SVG_OPTIONS_PARAMETERS SvgTheme theme, double width, bool mesh, bool axes, bool ids, bool y_down, std::optional<Box> crop, const std::string& title
+#define WAYWRIGHT_SVG_OPTIONS_NAMES theme, width, mesh, axes, ids, y_down, crop, title
+#define WAYWRIGHT_SVG_OPTIONS_ARGUMENTS py::kw_only(), py::arg("theme") = SvgTheme::automatic, py::arg("width") = 1200.0, py::arg("mesh") = true, py::arg("axes") = true, py::arg("ids") = true, py::arg("y_down") = false, py::arg("crop") = py::none(), py::arg("title") = ""
+inline SvgOptions to_svg_options(WAYWRIGHT_SVG_OPTIONS_PARAMETERS) {
+  SvgOptions result{};
+  result.theme = theme;
+  result.width = width;
+  result.mesh = mesh;
+  result.axes = axes;
+  result.ids = ids;
+  result.y_down = y_down;
+  result.crop = crop;
+  result.title = title;
+  return result;
+}
+
 /// Adds the members of RayHit and their pickle to its class.
 inline void bind_members(py::class_<RayHit>& cls) {
   cls

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "bind.hpp"
+#include "structs.hpp"
 
 // Pictures in SVG.
 
@@ -55,24 +56,14 @@ void bind_svg(Class& world) {
   using Handle = typename Class::type;
   world.def(
       "to_svg",
-      [](const Handle& self, const py::object& paths, const py::object& polylines, const py::object& discs,
-         const py::object& labels, double width, bool mesh, bool axes, bool ids, bool y_down, SvgTheme theme,
-         std::optional<Box> crop, const std::string& title) {
+      [](const Handle& self, const py::object& paths, WAYWRIGHT_SVG_OPTIONS_PARAMETERS, const py::object& polylines,
+         const py::object& discs, const py::object& labels) {
         const SvgOverlay overlay = overlay_of(paths, polylines, discs, labels);
-        const SvgOptions options{.width = width,
-                                 .mesh = mesh,
-                                 .axes = axes,
-                                 .ids = ids,
-                                 .y_down = y_down,
-                                 .theme = theme,
-                                 .crop = crop,
-                                 .title = title};
+        const SvgOptions options = to_svg_options(WAYWRIGHT_SVG_OPTIONS_NAMES);
         return self.read_long([&](const World& w) { return to_svg(w, overlay, options).value(); });
       },
-      py::arg("paths") = py::tuple(), py::kw_only(), py::arg("polylines") = py::tuple(), py::arg("discs") = py::tuple(),
-      py::arg("labels") = py::tuple(), py::arg("width") = 1200.0, py::arg("mesh") = true, py::arg("axes") = true,
-      py::arg("ids") = true, py::arg("y_down") = false, py::arg("theme") = SvgTheme::automatic,
-      py::arg("crop") = py::none(), py::arg("title") = "",
+      py::arg("paths") = py::tuple(), WAYWRIGHT_SVG_OPTIONS_ARGUMENTS, py::arg("polylines") = py::tuple(),
+      py::arg("discs") = py::tuple(), py::arg("labels") = py::tuple(),
       R"(Returns a picture of the world as SVG text, with a path or a list of paths.
 
 ``polylines`` are lists of points, ``discs`` pairs (centre, radius), ``labels`` pairs (point, text). ``theme`` is

@@ -35,7 +35,7 @@ FillRule = Literal["even-odd", "nonzero"]
 LocationKind = Literal["vertex", "edge", "face"]
 ChangeKind = Literal["insert", "remove", "replace"]
 Precision = Literal["float64", "float32"]
-Theme = Literal["automatic", "light", "dark"]
+SvgTheme = Literal["automatic", "light", "dark"]
 
 class Agent:
     def __init__(
@@ -487,18 +487,20 @@ class _Queries:
     def to_svg(
         self,
         paths: Path | Iterable[Path] = (),
+        # begin SvgOptions
         *,
-        polylines: Iterable[ArrayLike] = (),
-        discs: Iterable[tuple[PointLike, float]] = (),
-        labels: Iterable[tuple[PointLike, str]] = (),
+        theme: SvgTheme = "automatic",
         width: float = 1200.0,
         mesh: bool = True,
         axes: bool = True,
         ids: bool = True,
         y_down: bool = False,
-        theme: Theme = "automatic",
         crop: BoxLike | None = None,
         title: str = "",
+        # end
+        polylines: Iterable[ArrayLike] = (),
+        discs: Iterable[tuple[PointLike, float]] = (),
+        labels: Iterable[tuple[PointLike, str]] = (),
     ) -> str: ...
     def find_paths(
         self,

@@ -1,5 +1,5 @@
 export type { Point, Points } from './buffers.js';
-export type { PathAlgorithm, PathStatus } from './enums.js';
+export type { PathAlgorithm, PathStatus, SvgTheme } from './enums.js';
 export { type ErrorCode, WaywrightError } from './errors.js';
 export { QueryContext, trim } from './handle.js';
 export { type Item, type ItemInfo, ItemList } from './items.js';
@@ -26,7 +26,6 @@ export {
 export { type CompiledModule, init, type InitOptions, initSync, type ModuleBytes, moduleMemory, unload } from './runtime.js';
 export {
   Scenario,
-  type ScenarioQuery,
   Scene,
   type SceneFormat,
   sceneFormat,
@@ -37,6 +36,7 @@ export {
 export type {
   Agent,
   ChangedBox,
+  CrossedItem,
   ManyGoalsQuery,
   MemoryUse,
   MovedEnd,
@@ -47,6 +47,8 @@ export type {
   PathPiece,
   PathQuery,
   RayHit,
+  ScenarioQuery,
+  SvgOptions,
   WidestPath,
   WorldOptions,
 } from './structs.js';
@@ -55,9 +57,7 @@ export {
   type MarkStyle,
   type SvgFrame,
   svgFrame,
-  type SvgOptions,
   SvgOverlay,
-  type SvgTheme,
   svgToPicture,
   svgToWorld,
 } from './svg.js';
@@ -73,7 +73,6 @@ export {
   version,
 } from './values.js';
 export {
-  type CrossedItem,
   type DiscFit,
   type Location,
   type LocationKind,

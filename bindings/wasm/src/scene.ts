@@ -5,7 +5,7 @@ import * as abi from './generated/abi.js';
 import { Address, addressOf, Handle, make, ownAddressOf } from './handle.js';
 import { ItemList } from './items.js';
 import { check, cTextAt, encode, idAt, lib, scratch, textAt, u32 } from './runtime.js';
-import { type Agent, readAgent } from './structs.js';
+import { type Agent, readAgent, readScenarioQuery, type ScenarioQuery } from './structs.js';
 import {
   answer, askSize, askText, type Box, fromEnum, get, type ItemId, itemsHashAt, readBox, readPoint, writeBox,
 } from './values.js';
@@ -204,20 +204,6 @@ export class Script extends Handle {
   }
 }
 
-/** A query of a scenario of Moving AI. */
-export interface ScenarioQuery {
-  readonly map: string;
-  readonly line: number;
-  readonly width: number;
-  readonly height: number;
-  readonly start: Point;
-  readonly goal: Point;
-  /** Negative if the author found no path. */
-  readonly length: number;
-  /** Half a unit of the last digit of `length`. */
-  readonly precision: number;
-}
-
 /** The queries of a scenario of Moving AI. */
 export class Scenario extends Handle {
   constructor() {
@@ -236,19 +222,8 @@ export class Scenario extends Handle {
   }
 
   query(index: number): ScenarioQuery {
-    const { ww_scenario_query: layout } = abi;
     const [scenario, at] = [this.address, toSize(index)];
-    const struct = scratch.struct;
-    const map = readList(1, (...list) => lib.ww_scenario_get(scenario, at, answer(layout), ...list));
-    return {
-      map: textAt(map.address, map.count - 1),
-      line: get.size(struct + layout.line),
-      width: get.long(struct + layout.width),
-      height: get.long(struct + layout.height),
-      start: readPoint(struct + layout.start),
-      goal: readPoint(struct + layout.goal),
-      length: get.float(struct + layout.length),
-      precision: get.float(struct + layout.precision),
-    };
+    const map = readList(1, (...list) => lib.ww_scenario_get(scenario, at, answer(abi.ww_scenario_query), ...list));
+    return readScenarioQuery(scratch.struct, textAt(map.address, map.count - 1));
   }
 }

@@ -1,12 +1,12 @@
 // Made by scripts/make_structs.py from bindings/structs.toml. Do not edit.
 
 import { copyPoint, flatten, type Point, type Points } from './buffers.js';
-import { PATH_ALGORITHMS, PATH_STATUSES, type PathAlgorithm, type PathStatus, PIECE_KINDS, type PieceKind } from './enums.js';
+import { PATH_ALGORITHMS, PATH_STATUSES, type PathAlgorithm, type PathStatus, PIECE_KINDS, type PieceKind, SVG_THEMES, type SvgTheme } from './enums.js';
 import { toFlag, toNumber, toObject } from './errors.js';
 import * as abi from './generated/abi.js';
 import { getLimit, toExpansions, toLimit, toNanoseconds } from './limits.js';
-import { check, lib, scratch } from './runtime.js';
-import { type Box, fromEnum, get, type ItemId, put, putPoints, readBox, readPoint, toEnum, writePoint } from './values.js';
+import { check, encode, idAt, lib, scratch } from './runtime.js';
+import { type Box, copyBox, fromEnum, get, type ItemId, put, putPoints, putText, readBox, readPoint, toEnum, writeBox, writePoint } from './values.js';
 
 /** What moves: a point, or a disc with a radius. */
 export interface Agent {
@@ -91,6 +91,79 @@ export function readWorldOptions(struct: number): Required<WorldOptions> {
   };
 }
 
+/**
+ * The options of a picture. The part of the picture that shows the world is the map. The title, the axes and the legend
+ * lie around the map.
+ */
+export interface SvgOptions {
+  /** `automatic` by default. */
+  readonly theme?: SvgTheme;
+  /** In pixels, 240 to 100,000; 1200 by default; the height follows from the content. */
+  readonly width?: number;
+  /** Whether the picture shows the edges of the mesh that are not constrained; true by default. */
+  readonly mesh?: boolean;
+  /** Whether it has marks with coordinates, a scale bar, and the direction of y; true by default. */
+  readonly axes?: boolean;
+  /** Whether it shows the kind and the id of an item while the pointer is on it; true by default. */
+  readonly ids?: boolean;
+  /** Whether the y axis of the world points down. */
+  readonly yDown?: boolean;
+  /** The box that the picture shows; it may extend beyond the domain, which is the default. */
+  readonly crop?: Box;
+  /** The text above the map; none by default. */
+  readonly title?: string;
+}
+
+/** Returns a copy of the options that a caller has given. */
+export function copySvgOptions(given: SvgOptions) {
+  const { theme = 'automatic', width = 1200, mesh = true, axes = true, ids = true, yDown = false, crop, title = '' } = toObject(given, 'the options');
+  return {
+    theme: toEnum(SVG_THEMES, theme),
+    width: toNumber(width, 'width'),
+    mesh: toFlag(mesh, 'mesh'),
+    axes: toFlag(axes, 'axes'),
+    ids: toFlag(ids, 'ids'),
+    yDown: toFlag(yDown, 'yDown'),
+    crop: crop === undefined ? null : copyBox(crop),
+    title: encode(title),
+  };
+}
+
+/** Writes a copy to a struct of the module. */
+export function packSvgOptions(copy: ReturnType<typeof copySvgOptions>): number {
+  const { ww_svg_options: layout } = abi;
+  const struct = scratch.struct2;
+  check(lib.ww_svg_options_init(struct, layout.size_));
+  put.int(struct + layout.theme, copy.theme);
+  put.float(struct + layout.width, copy.width);
+  put.flag(struct + layout.mesh, copy.mesh);
+  put.flag(struct + layout.axes, copy.axes);
+  put.flag(struct + layout.ids, copy.ids);
+  put.flag(struct + layout.yDown, copy.yDown);
+  if (copy.crop !== null) {
+    put.flag(struct + layout.hasCrop, true);
+    writeBox(struct + layout.crop, copy.crop);
+  }
+  putText(struct + layout.title, copy.title);
+  return struct;
+}
+
+/** An item that a segment meets. */
+export interface CrossedItem {
+  /** The id of the item. */
+  readonly id: ItemId;
+  /** Where the segment meets a side of the item, or where their overlap starts; rounded to nearest. */
+  readonly at: Point;
+}
+
+export function readCrossedItem(struct: number): CrossedItem {
+  const { ww_crossed_item: layout } = abi;
+  return {
+    id: idAt(struct + layout.id),
+    at: readPoint(struct + layout.at),
+  };
+}
+
 /** The first wall that an agent touches. */
 export interface RayHit {
   /** Whether the agent touches a wall; if not, the points have no meaning. */
@@ -103,7 +176,7 @@ export interface RayHit {
   readonly contact: Point;
 }
 
-export function readRayHit(struct: number, items: ItemId[]): RayHit {
+export function readRayHit(struct: number, items: readonly ItemId[]): RayHit {
   const { ww_ray_hit: layout } = abi;
   return {
     hit: get.flag(struct + layout.hit),
@@ -188,7 +261,7 @@ export interface WidestPath {
   readonly toItems: readonly ItemId[];
 }
 
-export function readWidestPath(struct: number, fromItems: ItemId[], toItems: ItemId[]): WidestPath {
+export function readWidestPath(struct: number, fromItems: readonly ItemId[], toItems: readonly ItemId[]): WidestPath {
   const { ww_widest_path: layout } = abi;
   return {
     isConnected: get.flag(struct + layout.isConnected),
@@ -426,6 +499,40 @@ export function readChangedBox(struct: number): ChangedBox {
     box: readBox(struct + layout.box),
     isInsertion: get.flag(struct + layout.isInsertion),
     isRemoval: get.flag(struct + layout.isRemoval),
+  };
+}
+
+/** A query of a scenario of Moving AI. */
+export interface ScenarioQuery {
+  /** The file name of the map. */
+  readonly map: string;
+  /** The line in the text, from 1. */
+  readonly line: number;
+  /** The width of the map in tiles. */
+  readonly width: number;
+  /** The height of the map in tiles. */
+  readonly height: number;
+  /** Where the path starts. */
+  readonly start: Point;
+  /** Where the path ends. */
+  readonly goal: Point;
+  /** The length of the path that the author has found; negative if the author found none. */
+  readonly length: number;
+  /** Half a unit of the last digit of `length`. */
+  readonly precision: number;
+}
+
+export function readScenarioQuery(struct: number, map: string): ScenarioQuery {
+  const { ww_scenario_query: layout } = abi;
+  return {
+    map,
+    line: get.size(struct + layout.line),
+    width: get.long(struct + layout.width),
+    height: get.long(struct + layout.height),
+    start: readPoint(struct + layout.start),
+    goal: readPoint(struct + layout.goal),
+    length: get.float(struct + layout.length),
+    precision: get.float(struct + layout.precision),
   };
 }
 

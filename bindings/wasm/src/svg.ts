@@ -5,58 +5,15 @@ import * as abi from './generated/abi.js';
 import { addressOf, Handle, make } from './handle.js';
 import { Path } from './path.js';
 import { check, encode, lib, scratch } from './runtime.js';
-import { copyPathQuery, packPathQuery, type PathQuery, type RayHit } from './structs.js';
+import { copyPathQuery, copySvgOptions, packPathQuery, packSvgOptions, type PathQuery, type RayHit, type SvgOptions } from './structs.js';
 import { answer, type Box, copyBox, get, packIds, put, readBox, readPoint, toEnum, toId, writeBox, writeEnds, writePoint } from './values.js';
 import type { Location } from './world.js';
 
-export type SvgTheme = 'automatic' | 'light' | 'dark';
-const SVG_THEMES = ['automatic', 'light', 'dark'] as const;
 const LOCATIONS = ['vertex', 'edge', 'face'] as const;
-
-export interface SvgOptions {
-  /** The default is `automatic`. */
-  readonly theme?: SvgTheme;
-  /** In pixels. The default is 1200. */
-  readonly width?: number;
-  /** Whether the picture shows the mesh, axes and ids. The default is true. */
-  readonly mesh?: boolean;
-  readonly axes?: boolean;
-  readonly ids?: boolean;
-  readonly yDown?: boolean;
-  /** The box that the picture shows. The default is the domain. */
-  readonly crop?: Box;
-  readonly title?: string;
-}
 
 /** The address of a text in the arena, or null. */
 function packOptional(text: string | undefined): number {
   return text === undefined ? 0 : packText(encode(text)).address;
-}
-
-/** Returns a copy of options that a caller has given. */
-export function copySvgOptions(options: SvgOptions): SvgOptions {
-  const copy = { ...toObject(options, 'the options') };
-  return copy.crop === undefined ? copy : { ...copy, crop: copyBox(copy.crop) };
-}
-
-/** Writes a copy of options to a struct of the module. The title goes into the arena. */
-export function packSvgOptions(options: SvgOptions): number {
-  const { ww_svg_options: layout } = abi;
-  const title = packOptional(options.title);
-  const struct = scratch.struct2;
-  check(lib.ww_svg_options_init(struct, layout.size_));
-  if (options.theme !== undefined) put.int(struct + layout.theme, toEnum(SVG_THEMES, options.theme));
-  if (options.width !== undefined) put.float(struct + layout.width, toNumber(options.width, 'the width'));
-  for (const flag of ['mesh', 'axes', 'ids', 'yDown'] as const) {
-    const value = options[flag];
-    if (value !== undefined) put.flag(struct + layout[flag], toFlag(value, flag));
-  }
-  if (options.crop !== undefined) {
-    put.flag(struct + layout.hasCrop, true);
-    writeBox(struct + layout.crop, options.crop);
-  }
-  put.size(struct + layout.title, title);
-  return struct;
 }
 
 /** The transform between a world and its picture. */

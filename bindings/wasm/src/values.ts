@@ -1,4 +1,4 @@
-import { arena, copyPoint, type List, packPoints, type Point } from './buffers.js';
+import { arena, copyPoint, type List, packPoints, packText, type Point } from './buffers.js';
 import { refuse, shown, toNumber, toObject, WaywrightError } from './errors.js';
 import * as abi from './generated/abi.js';
 import { check, f64, i32, idAt, lib, scratch, textAt, u32, u64, u8 } from './runtime.js';
@@ -35,6 +35,11 @@ export function readIds({ address, count }: List, stride = 8): ItemId[] {
   const ids = new Array<ItemId>(count);
   for (let i = 0; i < count; ++i) ids[i] = idAt(address + stride * i);
   return ids;
+}
+
+/** Copies a text into the arena, and writes its address to a struct. */
+export function putText(address: number, text: Uint8Array): void {
+  u32[address >>> 2] = packText(text).address;
 }
 
 /** Copies points into the arena, and writes their address and their number to a struct. */

@@ -6,10 +6,10 @@ import * as abi from './generated/abi.js';
 import { Address, addressOf, contextAddress, make, ownAddressOf, type QueryContext } from './handle.js';
 import { Mesh } from './mesh.js';
 import { type Bridge, findPath, Path, Paths, readBridges, readWidest } from './path.js';
-import { check, idAt, lib, scratch, textAt, withProgress } from './runtime.js';
-import { copySvgOptions, packSvgOptions, type SvgOptions, SvgOverlay } from './svg.js';
+import { check, lib, scratch, textAt, withProgress } from './runtime.js';
+import { SvgOverlay } from './svg.js';
 import {
-  type Agent, type ChangedBox, copyAgent, copyManyGoalsQuery, copyNearestFitQuery, copyPathOptions, copyWorldOptions, type ManyGoalsQuery,
+  type Agent, type ChangedBox, copyAgent, copySvgOptions, type CrossedItem, packSvgOptions, readCrossedItem, type SvgOptions, copyManyGoalsQuery, copyNearestFitQuery, copyPathOptions, copyWorldOptions, type ManyGoalsQuery,
   type MemoryUse, type NearestFit, type NearestFitQuery, packManyGoalsQuery, packNearestFitQuery, packPathOptions, packWorldOptions,
   type PathOptions, type PathQuery, putAgent, type RayHit, readChangedBox, readMemoryUse, readNearestFit, readRayHit, readWorldOptions,
   type WidestPath, type WorldOptions,
@@ -31,13 +31,6 @@ export interface Location {
   readonly vertices: readonly Point[];
   /** The polygons there, ascending. */
   readonly polygons: readonly ItemId[];
-}
-
-/** An item that a segment meets. */
-export interface CrossedItem {
-  readonly id: ItemId;
-  /** Where the segment meets a side of the item, rounded. */
-  readonly at: Point;
 }
 
 export interface DiscFit {
@@ -129,16 +122,11 @@ export class World extends WorldHistory {
 
   /** Finds the items whose sides a segment meets, in the order from `from` to `to`. */
   itemsCrossed(from: Point, to: Point, context?: QueryContext): CrossedItem[] {
-    const { ww_crossed_item: layout } = abi;
+    const size = abi.ww_crossed_item.size_;
     const [a, b] = writeEnds(from, to);
     const [world, asked] = [this.address, contextAddress(context)];
-    const { address, count } = readList(layout.size_, (...list) =>
-      lib.ww_world_items_crossed(world, a, b, asked, ...list),
-    );
-    return Array.from({ length: count }, (_, i) => {
-      const struct = address + i * layout.size_;
-      return { id: idAt(struct + layout.id), at: readPoint(struct + layout.at) };
-    });
+    const { address, count } = readList(size, (...list) => lib.ww_world_items_crossed(world, a, b, asked, ...list));
+    return Array.from({ length: count }, (_, i) => readCrossedItem(address + i * size));
   }
 
   /** Finds the items that have a position in common with a closed box, ascending. */
