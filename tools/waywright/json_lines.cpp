@@ -8,16 +8,15 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
+
+#include "formats/json_text.hpp"
 
 namespace waywright::command {
 
 namespace {
 
-// This file uses only the quoting of the JSON library, because the library writes 0.0 for 0 and sorts its output.
-std::string json_string(std::string_view text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
+// The JSON library only quotes texts, because it writes 0.0 for 0 and sorts its output.
+using formats::json_string;
 
 std::string opening(const Request& request) {
   if (!request.line) return fmt::format(R"({{"op":"{}")", request.op);
