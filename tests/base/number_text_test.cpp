@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "base/bit_cast.hpp"
+#include "support/case_count.hpp"
 #include "support/random.hpp"
 
 #if __has_include(<fast_float/fast_float.h>)
@@ -44,7 +45,7 @@ std::vector<double> doubles() {
     values.insert(values.end(), {power, 12.0 * power / 10.0, std::nextafter(power, 0.0)});
   }
   Random random(5);
-  for (int i = 0; i < 200000; ++i) {
+  for (int i = 0; i < case_count(200000, 20); ++i) {
     const std::uint64_t bits = random.next();
     const auto value = base::bit_cast<double>(bits);
     if (std::isfinite(value)) values.push_back(value);

@@ -100,7 +100,7 @@ void check_scene(const NamedScene& scene) {
 
 TEST(Cells, SayWhichDiscsGetThroughInTrapScenes) {
   for (std::uint64_t seed = 0; seed < (case_count() + 99) / 100; ++seed) {
-    for (const NamedScene& scene : disc::trap_scenes(seed)) {
+    for (const NamedScene& scene : disc::checked_trap_scenes(seed)) {
       check_scene(scene);
       if (testing::Test::HasFatalFailure()) return;
     }

@@ -6,6 +6,7 @@
 #include "exact/gap_checks.hpp"
 #include "exact/point_source.hpp"
 #include "exact/rational.hpp"
+#include "support/case_count.hpp"
 
 namespace waywright::test {
 namespace {
@@ -32,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, SidesOfDiameters,
 
 TEST_P(SidesOfDiameters, AgreeWithRationals) {
   PointSource source(GetParam(), 5);
-  for (int i = 0; i < 400 && !HasFailure(); ++i) {
+  for (int i = 0; i < case_count(400) && !HasFailure(); ++i) {
     const Point w = source.point();
     if (!is_in_range(w)) continue;
     std::array<exact::ExactPosition, 3> points;

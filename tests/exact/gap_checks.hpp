@@ -15,6 +15,7 @@
 
 #include "exact/gap.hpp"
 #include "exact/rational.hpp"
+#include "support/case_count.hpp"
 #include "support/random.hpp"
 
 /// What the tests of the predicates for clearance share: the oracle, random points, and checks of all stages.
@@ -233,7 +234,7 @@ inline Gap reversed(const Gap& gap) { return {gap.from, gap.b, gap.a}; }
 /// The fixture of tests with random points of each kind.
 class Gaps : public testing::TestWithParam<Kind> {
  protected:
-  static constexpr int kCalls = 400;
+  const int kCalls = case_count(400, 4);
   Source source_{GetParam(), 1};
   Answered answered_;
   Point point() { return source_.point(); }

@@ -9,6 +9,7 @@
 #include "exact/gap_checks.hpp"
 #include "exact/point_source.hpp"
 #include "exact/rational.hpp"
+#include "support/case_count.hpp"
 #include "support/random.hpp"
 
 namespace waywright::test {
@@ -281,7 +282,7 @@ TEST_P(ExactDots, AgreeWithRationals) {
       if (const Point result = source.point(); is_in_range(result)) return result;
     }
   };
-  for (int i = 0; i < 1500 && !HasFailure(); ++i) {
+  for (int i = 0; i < case_count(1500, 6) && !HasFailure(); ++i) {
     const exact::ExactPosition q = source.any();
     const Point nearest = {q.x, q.y};
     if (q.is_explicit() && !is_in_range(nearest)) continue;
@@ -305,7 +306,7 @@ TEST(ExactDotTies, RightAnglesAtALine) {
   const auto whole = [&] { return static_cast<double>(random.between(-9, 9)); };
   for (const Frame& frame : kFrames) {
     int crossings = 0;
-    for (int i = 0; i < 200 && !testing::Test::HasFailure(); ++i) {
+    for (int i = 0; i < case_count(200, 3) && !testing::Test::HasFailure(); ++i) {
       const Point from = {whole(), whole()}, along = {whole(), whole()}, other = {whole(), whole()},
                   across = {whole(), whole()}, away = {whole(), whole()};
       if (cross(along, across) == 0) continue;
@@ -326,7 +327,7 @@ TEST(ExactDotTies, RightAnglesAtALine) {
         }
       }
     }
-    EXPECT_GT(crossings, 50);
+    EXPECT_GT(crossings, case_count(50, 3));
   }
   EXPECT_GT(answered.doubles, 0);
 }

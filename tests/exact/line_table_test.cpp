@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/geometry.hpp"
+#include "support/case_count.hpp"
 #include "support/random.hpp"
 
 namespace waywright::test {
@@ -64,7 +65,7 @@ TEST(LineTable, CountsUsesAndFreesLinesWithoutUse) {
     if (value == 0.0) return random.chance(50) ? 0.0 : -0.0;
     return random.chance(90) ? value : std::nextafter(value, 9.0);
   };
-  for (int operation = 0; operation < 3000; ++operation) {
+  for (int operation = 0; operation < case_count(3000, 4); ++operation) {
     table.begin();
     freed += model.lines.size();
     model.drop_unused();
@@ -117,8 +118,8 @@ TEST(LineTable, CountsUsesAndFreesLinesWithoutUse) {
     ASSERT_NO_FATAL_FAILURE(expect_equal(table, model));
   }
   EXPECT_GT(most, 200U);
-  EXPECT_GT(freed, 1000U);
-  EXPECT_GT(rolled_back, 500U);
+  EXPECT_GT(freed, case_count<std::size_t>(1000, 4));
+  EXPECT_GT(rolled_back, case_count<std::size_t>(500, 4));
 }
 
 // Ten thousand lines with one use each, which then all go.

@@ -12,6 +12,7 @@
 #include "exact/point_source.hpp"
 #include "exact/rational.hpp"
 #include "exact/stage_agreement.hpp"
+#include "support/case_count.hpp"
 #include "support/data_folder.hpp"
 
 namespace waywright::test {
@@ -34,7 +35,7 @@ bool is_open_or(Sign expected, Sign bounded) { return bounded == Sign::zero || b
 
 TEST_P(Predicates, OrientationAgreesWithRationals) {
   PointSource source(GetParam(), 1);
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < case_count(1500); ++i) {
     const ExactPosition a = source.any(), b = source.any(), c = source.any();
     const Sign expected = rational_orientation(rational(a), rational(b), rational(c));
     ASSERT_EQ(exact::orientation(a, b, c), expected) << "call " << i;
@@ -50,7 +51,7 @@ TEST_P(Predicates, OrientationAgreesWithRationals) {
 
 TEST_P(Predicates, InCircleAgreesWithRationals) {
   PointSource source(GetParam(), 2);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < case_count(1000); ++i) {
     const ExactPosition a = source.any(), b = source.any(), c = source.any(), d = source.any();
     const Sign expected = rational_in_circle(rational(a), rational(b), rational(c), rational(d));
     ASSERT_EQ(exact::in_circle(a, b, c, d), expected) << "call " << i;
@@ -68,7 +69,7 @@ TEST_P(Predicates, InCircleAgreesWithRationals) {
 
 TEST_P(Predicates, OrderAgreesWithRationals) {
   PointSource source(GetParam(), 3);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < case_count(2000); ++i) {
     const ExactPosition p = source.any(), q = source.random().chance(20) ? p : source.any();
     const Sign expected = rational_order(rational(p), rational(q));
     ASSERT_EQ(exact::compare(p, q) < 0, expected == Sign::negative);

@@ -6,6 +6,7 @@
 #include "exact/geometry.hpp"
 #include "exact/predicates.hpp"
 #include "exact/stage_agreement.hpp"
+#include "support/case_count.hpp"
 
 namespace waywright::test {
 namespace {
@@ -99,10 +100,11 @@ TEST(Stages, OfCrossings) {
 
 // Runs a small sample of the comparisons that `waywright_soak --predicates` makes by the hundred million.
 TEST(Stages, AgreeWithEachOther) {
+  const std::uint64_t calls = case_count<std::uint64_t>(20000);
   for (const NearMiss kind : kNearMisses) {
-    const Agreement agreement = compare_stages(kind, 7, 20000, 20);
+    const Agreement agreement = compare_stages(kind, 7, calls, 20);
     EXPECT_EQ(agreement.fault, "") << to_string(kind);
-    EXPECT_EQ(agreement.calls, 20000U);
+    EXPECT_EQ(agreement.calls, calls);
     // The draws are near zero so that later stages must decide: for most kinds the first stage leaves many calls to
     // them.
     EXPECT_LT(agreement.doubles, agreement.calls) << to_string(kind);

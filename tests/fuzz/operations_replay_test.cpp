@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "fuzz/operations_body.hpp"
+#include "support/case_count.hpp"
 #include "support/changes_check.hpp"
 #include "support/random.hpp"
 
@@ -35,11 +36,13 @@ TEST(FuzzReplay, Operations) {
   const std::vector<std::string> inputs = corpus();
   ASSERT_FALSE(inputs.empty());
   Random random(1);
-  for (const std::string& input : inputs) {
+  const std::size_t step = is_quick() ? 24 : 1;
+  for (std::size_t at = 0; at < inputs.size(); at += step) {
+    const std::string& input = inputs[at];
     EXPECT_EQ(fault_of_operations(input), "") << script_of(input);
     const ChangesReport report = check_changes(BytesReader(input).read(), 1, {.with_rebuild = 200, .with_oracle = 0});
     EXPECT_FALSE(report.fault) << *report.fault << script_of(input);
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < case_count(5, 5); ++i) {
       std::string mutated = input;
       for (std::size_t changes = 1 + random.below(4); changes > 0 && !mutated.empty(); --changes) {
         mutated[random.below(mutated.size())] = static_cast<char>(random.below(256));

@@ -128,7 +128,7 @@ void check_shortest_paths(const NamedScene& scene) {
 
 TEST(DiscPaths, AreRightInTrapScenes) {
   for (std::uint64_t seed = 0; seed < (case_count() + 99) / 100; ++seed) {
-    for (const NamedScene& scene : disc::trap_scenes(seed)) {
+    for (const NamedScene& scene : disc::checked_trap_scenes(seed)) {
       check_shortest_paths(scene);
       if (testing::Test::HasFatalFailure()) return;
     }

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/case_count.hpp"
 #include "support/disc_scenes.hpp"
 #include "support/random.hpp"
 
@@ -305,13 +306,13 @@ void expect_agreement(const NamedScene& scene) {
 }
 
 TEST(DiscOracles, AgreeInTrapScenes) {
-  for (const NamedScene& scene : trap_scenes(0)) expect_agreement(scene);
+  for (const NamedScene& scene : checked_trap_scenes(0)) expect_agreement(scene);
 }
 
 class DiscOraclesInRandomScenes : public ::testing::TestWithParam<SceneKind> {};
 
 TEST_P(DiscOraclesInRandomScenes, Agree) {
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+  for (std::uint64_t seed = 1; seed <= case_count<std::uint64_t>(4, 4); ++seed) {
     Random random(seed);
     expect_agreement(random_scene(random, GetParam()));
   }
@@ -338,10 +339,10 @@ void expect_usable(const NamedScene& scene) {
 TEST(DiscScenes, LieInTheirDomain) {
   Random random(7);
   for (const SceneKind kind : kSceneKinds) {
-    for (int i = 0; i < 50; ++i) expect_usable(random_scene(random, kind));
+    for (int i = 0; i < case_count(50); ++i) expect_usable(random_scene(random, kind));
   }
-  for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    for (const NamedScene& scene : trap_scenes(seed)) expect_usable(scene);
+  for (std::uint64_t seed = 0; seed < 5; seed += is_quick() ? 3 : 1) {
+    for (const NamedScene& scene : checked_trap_scenes(seed)) expect_usable(scene);
   }
 }
 

@@ -34,6 +34,8 @@ struct NamedScene {
 /// in acute angles, rooms that a disc fills exactly. The coordinates are whole, decimal, huge (1e12) or tiny (1e-9).
 /// The seed varies the sizes; the same seed gives the same scenes on every platform.
 [[nodiscard]] std::vector<NamedScene> trap_scenes(std::uint64_t seed);
+/// Returns the trap scenes that a test of all of them checks: in its fast form, every eleventh.
+[[nodiscard]] std::vector<NamedScene> checked_trap_scenes(std::uint64_t seed);
 
 enum class SceneKind : std::uint8_t {
   boxes,          ///< axis-parallel boxes on a grid of integers; they touch and overlap

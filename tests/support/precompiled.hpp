@@ -24,5 +24,3 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-#include <rapidcheck.h>

@@ -7,6 +7,7 @@
 
 #include "waywright/scene.hpp"
 
+#include "support/case_count.hpp"
 #include "tools/command.hpp"
 
 namespace waywright::test {
@@ -42,6 +43,7 @@ TEST(DemoMap, LiesOnQuarters) {
 }
 
 TEST(DemoMap, IsWhatItsScriptDraws) {
+  if (is_quick()) GTEST_SKIP() << "the script takes ten seconds";
   const auto drawn = run_program("python3", {(kRoot / "scripts/make_highground.py").string()});
   ASSERT_EQ(drawn.status, 0) << drawn.err;
   EXPECT_TRUE(drawn.out == read_file(kMap)) << "run scripts/make_highground.py examples/maps/highground.wws";

@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, DiscTra, testing::ValuesIn(disc::kSceneKinds),
 TEST(DiscTraTraps, HaveAPathExactlyIfThereIsOne) {
   Excess excess;
   for (std::uint64_t seed = 0; seed <= case_count() / 20; ++seed) {
-    for (const NamedScene& scene : disc::trap_scenes(seed)) {
+    for (const NamedScene& scene : disc::checked_trap_scenes(seed)) {
       check_lengths(scene, false, true, excess);
       if (testing::Test::HasFatalFailure()) return;
     }

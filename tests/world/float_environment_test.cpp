@@ -14,6 +14,7 @@
 #include "waywright/script.hpp"
 #include "waywright/world.hpp"
 
+#include "support/case_count.hpp"
 #include "support/random.hpp"
 #include "support/random_changes.hpp"
 #include "support/random_path_cases.hpp"
@@ -195,7 +196,7 @@ std::string life_of(const ChangeScript& script, std::uint64_t seed, const Call& 
   return text + validation.fault + call([&] { return world->dump(); });
 }
 
-constexpr std::uint64_t kScriptsOfFlavour = 40;
+const std::uint64_t kScriptsOfFlavour = case_count<std::uint64_t>(40);
 
 TEST_P(FloatEnvironment, ChangesNoWorld) {
   for (const Flavour flavour : kFlavours) {

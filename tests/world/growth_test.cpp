@@ -10,6 +10,8 @@
 #include "waywright/query_context.hpp"
 #include "waywright/world.hpp"
 
+#include "support/case_count.hpp"
+
 // Inputs for which the library has algorithms of their own, so that their cost grows no faster than their size. The
 // mesh is canonical, so each state must equal a new world of the live items.
 
@@ -335,7 +337,7 @@ Shape random_polygon(std::uint64_t& state, const Point& centre, double size, std
 // components inside it, and only those. validate() compares the covers with those of a rebuilt world.
 TEST(Growth, PolygonsAroundOthers) {
   std::uint64_t state = 5;
-  for (int scene = 0; scene < 30; ++scene) {
+  for (int scene = 0; scene < case_count(30); ++scene) {
     std::vector<Shape> shapes;
     for (std::size_t i = 0; i < 12; ++i) {
       const Point centre{-300.0 + 50.0 * static_cast<double>(state >> 40 & 15),

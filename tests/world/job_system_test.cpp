@@ -12,6 +12,7 @@
 
 #include "waywright/world.hpp"
 
+#include "support/case_count.hpp"
 #include "support/job_systems.hpp"
 #include "support/random.hpp"
 
@@ -28,9 +29,10 @@ Point random_whole_point(Random& random) {
 std::vector<Item> many_items() {
   Random random(4);
   std::vector<Item> items;
-  while (items.size() < 20'000)
+  const std::size_t points = case_count<std::size_t>(20'000, 4);
+  while (items.size() < points)
     items.push_back({ItemId{items.size() + 1}, {ItemKind::point, {{random_whole_point(random)}}}});
-  while (items.size() < 20'100) {
+  while (items.size() < points + 100) {
     const Point from = random_whole_point(random);
     items.push_back({ItemId{items.size() + 1}, {ItemKind::segment, {{from, {from.x / 2, from.y / 3}}}}});
   }

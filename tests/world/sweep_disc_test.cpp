@@ -147,7 +147,7 @@ TEST(SweepDisc, AgreesWithTheOracleInRandomScenes) {
 
 TEST(SweepDisc, AgreesWithTheOracleInTraps) {
   for (std::uint64_t seed = 0; seed < (case_count() + 99) / 100; ++seed) {
-    for (const disc::NamedScene& scene : disc::trap_scenes(seed)) {
+    for (const disc::NamedScene& scene : disc::checked_trap_scenes(seed)) {
       check_scene(scene, seed);
       if (HasFatalFailure()) return;
     }
