@@ -146,7 +146,7 @@ def test_file_names(world, tmp_path):
 
 
 def test_positions_and_steps(world):
-    path, turn = world.find_path((10, 70), (90, 70)), world.find_path((10, 45), (90, 45), 5)
+    path, turn = world.find_path((10, 70), (90, 70)), world.find_path((10, 45), (90, 45), waywright.Agent(radius=5))
     with pytest.raises(ValueError, match="not on this path"):
         path.advance(turn.at(80), 1)
     for step in (0.0, -1.0, np.nan, 1e-300):
@@ -175,7 +175,7 @@ def values_like(value, choose):
 
 def use(thing, world):
     """Calls what might trust a damaged object. Exceptions are answers."""
-    path, disc = world.find_path((10, 50), (90, 50)), world.find_path((10, 50), (90, 50), 5)
+    path, disc = world.find_path((10, 50), (90, 50)), world.find_path((10, 50), (90, 50), waywright.Agent(radius=5))
     calls = [lambda name=name: repr(getattr(thing, name)) for name in dir(thing) if not name.startswith("__")]
     calls += [
         *(lambda: thing.at(3.0), lambda: thing.nearest((3, 3)), lambda: thing.polyline(0.1), lambda: thing.walk(5.0)),
@@ -195,9 +195,10 @@ def use(thing, world):
 def test_damaged_pickles(world, seed):
     choose = random.Random(seed)
     things = [
-        *(world.find_path((10, 50), (90, 50), 5), world.find_path((10, 50), (90, 50), wants_channel=True)),
-        *(world.find_path((10, 70), (90, 70), 30), world.find_path((10, 50), (90, 50)).at(3), world.locate((50, 50))),
-        *(world.ray((10, 50), (90, 50)), world.fit_disc((38, 50), waywright.Agent(radius=5)), world.nearest_fit((45, 50), waywright.Agent(radius=5))),
+        *(world.find_path((10, 50), (90, 50), waywright.Agent(radius=5)), world.find_path((10, 50), (90, 50), wants_channel=True)),
+        *(world.find_path((10, 70), (90, 70), waywright.Agent(radius=30)), world.find_path((10, 50), (90, 50)).at(3)),
+        *(world.locate((50, 50)), world.ray((10, 50), (90, 50)), world.fit_disc((38, 50), waywright.Agent(radius=5))),
+        world.nearest_fit((45, 50), waywright.Agent(radius=5)),
         *(world.widest_path((10, 70), (90, 70)), world.snapshot(), world.shape(1), Change.replace(1, world.shape(2)), world),
     ]
     for thing in things:

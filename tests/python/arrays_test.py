@@ -138,8 +138,8 @@ def test_a_batch_names_the_first_refused_query(world, threads):
 def test_batches_concatenate():
     world = many_walls(keep_bridges=True)
     starts, goals = crossing_queries(60)
-    whole = world.find_paths(starts, goals, 0.4, tolerance=0.1)
-    pieces = [world.find_paths(starts[i : i + 17], goals[i : i + 17], 0.4, tolerance=0.1) for i in range(0, 60, 17)]
+    whole = world.find_paths(starts, goals, waywright.Agent(radius=0.4), tolerance=0.1)
+    pieces = [world.find_paths(starts[i : i + 17], goals[i : i + 17], waywright.Agent(radius=0.4), tolerance=0.1) for i in range(0, 60, 17)]
     assert waywright.PathBatch.concatenate(pieces) == whole
     assert waywright.PathBatch.concatenate([]).offsets.tolist() == [0]
     assert whole != waywright.PathBatch.concatenate(pieces[1:])

@@ -91,9 +91,10 @@ class Level(waywright.World):
     pass
 world = Level((0, 0, 100, 100), keep_bridges=True)
 world.insert_segment((50, 0), (50, 60))
-path, disc = world.find_path((20, 50), (80, 50)), world.find_path((20, 50), (80, 50), 5)
+path, disc = world.find_path((20, 50), (80, 50)), world.find_path((20, 50), (80, 50), waywright.Agent(radius=5))
 things = [world, world.clone(), path, disc, path.at(1), world.locate((50, 50)), world.ray((20, 50), (80, 50))]
-things += [world.fit_disc((49, 50), waywright.Agent(radius=5)), world.nearest_fit((49, 50), waywright.Agent(radius=5)), world.widest_path((20, 50), (80, 50))]
+things += [world.fit_disc((49, 50), disc.agent), world.nearest_fit((49, 50), disc.agent)]
+things += [disc.agent, world.widest_path((20, 50), (80, 50))]
 things += [world.bridges(), world.snapshot(), world.shape(1), waywright.Change.remove(1)]
 for thing in things:
     for protocol in range(pickle.HIGHEST_PROTOCOL + 1):

@@ -14,18 +14,18 @@ MAP = ROOT / "examples" / "maps" / "highground.wws"
 def test_a_search_in_slices(world):
     search = waywright.PathSearch()
     assert search.step(10)  # no search is running
-    search.begin(world, (10, 45), (90, 45), 5)
+    search.begin(world, (10, 45), (90, 45), waywright.Agent(radius=5))
     assert search.is_running
     while not search.step(1):
         pass
-    expected = world.find_path((10, 45), (90, 45), 5)
+    expected = world.find_path((10, 45), (90, 45), waywright.Agent(radius=5))
     assert np.array_equal(search.path.pieces, expected.pieces) and not search.is_running
-    search.begin(world, (10, 45), (90, 45), 5)
+    search.begin(world, (10, 45), (90, 45), waywright.Agent(radius=5))
     search.step(1)
     world.insert_segment((30, 0), (30, 45))
     while not search.step(1):
         pass
-    assert search.restarts == 1 and search.path.length == world.find_path((10, 45), (90, 45), 5).length
+    assert search.restarts == 1 and search.path.length == world.find_path((10, 45), (90, 45), waywright.Agent(radius=5)).length
     search.begin(world, (10, 45), (90, 45))
     search.cancel()
     assert not search.is_running
@@ -47,7 +47,7 @@ def test_a_search_keeps_its_world_alive():
 def test_a_watch(world):
     watch = waywright.PathWatch(world)
     watch.add(1, world.find_path((10, 45), (90, 45)))
-    watch.add(2, world.find_path((10, 45), (90, 45), 5))
+    watch.add(2, world.find_path((10, 45), (90, 45), waywright.Agent(radius=5)))
     watch.add(3, world.find_path((1, 1), (2, 1)))
     assert len(watch) == 3 and 2 in watch and 9 not in watch
     world.insert_segment((50, 30), (50, 42))
@@ -108,7 +108,7 @@ def test_paths_from_one_start(world):
 
 
 def test_walking(world):
-    path = world.find_path((10, 45), (90, 45), 5)
+    path = world.find_path((10, 45), (90, 45), waywright.Agent(radius=5))
     points = path.walk(0.5)
     assert tuple(points[0]) == (10, 45) and tuple(points[-1]) == (90, 45)
     assert np.linalg.norm(np.diff(points, axis=0), axis=1).max() <= 0.5 + 1e-9

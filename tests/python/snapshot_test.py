@@ -199,8 +199,8 @@ def test_an_attempt_makes_no_snapshot(world):
 
 def test_a_search_keeps_its_snapshot(world):
     search, snapshot = PathSearch(), world.publish()
-    expected = snapshot.find_path((10, 45), (90, 45), 5)
-    search.begin(snapshot, (10, 45), (90, 45), 5)
+    expected = snapshot.find_path((10, 45), (90, 45), waywright.Agent(radius=5))
+    search.begin(snapshot, (10, 45), (90, 45), waywright.Agent(radius=5))
     snapshot.release()
     for _ in range(4):  # without the search, these would use the memory of the snapshot
         world.apply([Change.remove(1), Change.insert(WALL, 1)])
@@ -208,7 +208,7 @@ def test_a_search_keeps_its_snapshot(world):
     while not search.step(1):
         pass
     assert np.array_equal(search.path.pieces, expected.pieces) and search.restarts == 0
-    search.begin(world, (10, 45), (90, 45), 5)
+    search.begin(world, (10, 45), (90, 45), waywright.Agent(radius=5))
     assert search.step(1000) and search.path.length != expected.length
 
 
