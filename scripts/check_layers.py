@@ -52,15 +52,16 @@ ROOMS = {
     "src/world": room(WORLD, ALL),
     "src/watch": room(WORLD | {"world"}, ALL),
     "src/io": room(["base", "text"], ALL),
+    "src/svg": room(["base", "text"], ALL),
     "bindings/python": room([], ALL, ("pybind11/",)),
     "bindings/c": room([], ALL, ("stddef.h", "stdint.h")),
     "bindings/wasm": room(["c"], ALL, ("malloc.h",)),
-    "tools": room(["base"], ALL, ALL),
+    "tools": room(["base", "text"], ALL, ALL),
     "tools/formats": room(["base", "text"], ALL, ALL),
     "examples": room([], ALL),
     "examples/lockstep": room([], ALL, BOOST),
     "bench": room(NAVIGATION | {"text"}, ALL, ALL),
-    "tests": room(WORLD | {"world", "watch", "io", "formats", "oracle", "bench"}, ALL, ALL),
+    "tests": room(WORLD | {"world", "watch", "io", "svg", "formats", "oracle", "bench"}, ALL, ALL),
     "tests/oracle": room([], libraries=ALL),
 }
 

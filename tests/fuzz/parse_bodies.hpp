@@ -97,7 +97,7 @@ inline std::string fault_of_poly(std::string_view text) {
 /// Checks that a scene written as GeoJSON reads back as the same scene, and is written again as the same text.
 inline std::string fault_of_geojson_copy(const Scene& scene) {
   const std::string text = formats::to_geojson(scene);
-  const Result<Scene> copy = formats::parse_map(formats::MapFormat::geojson, text, kFuzzName);
+  const Result<Scene> copy = formats::parse_map(text::FileType::geojson, text, kFuzzName);
   if (!copy.ok()) return "the scene's GeoJSON is refused: " + copy.error().message();
   if (formats::to_geojson(*copy) != text) return "the scene's GeoJSON reads back as another scene";
   const bool has_short_ring = std::any_of(scene.items.begin(), scene.items.end(), [](const Item& item) {
@@ -108,24 +108,24 @@ inline std::string fault_of_geojson_copy(const Scene& scene) {
 }
 
 /// Reads the text in a format of the command.
-inline std::string fault_of_foreign_map(formats::MapFormat format, std::string_view text) {
+inline std::string fault_of_foreign_map(text::FileType format, std::string_view text) {
   const Result<Scene> scene = formats::parse_map(format, text, kFuzzName);
   if (!scene.ok()) return fault_of_error(scene.error(), text);
   // GeoJSON may give a domain that is too small for its items. A script would leave these items out.
-  const bool has_own_domain = format == formats::MapFormat::geojson;
+  const bool has_own_domain = format == text::FileType::geojson;
   if (const std::string fault = has_own_domain ? "" : fault_of_scene(*scene); !fault.empty()) return fault;
   return fault_of_geojson_copy(*scene);
 }
 
 inline std::string fault_of_geojson(std::string_view text) {
-  return fault_of_foreign_map(formats::MapFormat::geojson, text);
+  return fault_of_foreign_map(text::FileType::geojson, text);
 }
-inline std::string fault_of_wkt(std::string_view text) { return fault_of_foreign_map(formats::MapFormat::wkt, text); }
+inline std::string fault_of_wkt(std::string_view text) { return fault_of_foreign_map(text::FileType::wkt, text); }
 inline std::string fault_of_mesh(std::string_view text) {
-  return fault_of_foreign_map(formats::MapFormat::polyanya_mesh, text);
+  return fault_of_foreign_map(text::FileType::polyanya_mesh, text);
 }
 inline std::string fault_of_obj(std::string_view text) {
-  return fault_of_foreign_map(formats::MapFormat::wavefront_obj, text);
+  return fault_of_foreign_map(text::FileType::wavefront_obj, text);
 }
 
 /// Checks that the queries of a scenario have ascending line numbers that exist in the text, and that all their numbers

@@ -1,7 +1,5 @@
 #include "formats/map_format.hpp"
 
-#include <utility>
-
 #include "formats/geojson.hpp"
 #include "formats/polyanya_mesh.hpp"
 #include "formats/wavefront_obj.hpp"
@@ -9,30 +7,23 @@
 
 namespace waywright::formats {
 
-std::optional<MapFormat> map_format(std::string_view file_name) {
-  static constexpr std::pair<std::string_view, MapFormat> kEndings[] = {{".geojson", MapFormat::geojson},
-                                                                        {".json", MapFormat::geojson},
-                                                                        {".wkt", MapFormat::wkt},
-                                                                        {".mesh", MapFormat::polyanya_mesh},
-                                                                        {".obj", MapFormat::wavefront_obj}};
-  for (const auto& [ending, format] : kEndings) {
-    if (file_name.ends_with(ending)) return format;
-  }
-  return std::nullopt;
+bool reads_map(std::optional<text::FileType> type) {
+  return type == text::FileType::geojson || type == text::FileType::wkt || type == text::FileType::polyanya_mesh ||
+         type == text::FileType::wavefront_obj;
 }
 
-Result<Scene> parse_map(MapFormat format, std::string_view text, std::string_view name, const ReadProgress& progress) {
-  switch (format) {
-    case MapFormat::geojson:
+Result<Scene> parse_map(text::FileType type, std::string_view text, std::string_view name,
+                        const ReadProgress& progress) {
+  switch (type) {
+    case text::FileType::geojson:
       return parse_geojson(text, name, progress);
-    case MapFormat::wkt:
+    case text::FileType::wkt:
       return parse_wkt(text, name, progress);
-    case MapFormat::polyanya_mesh:
+    case text::FileType::polyanya_mesh:
       return parse_polyanya_mesh(text, name, progress);
-    case MapFormat::wavefront_obj:
-      break;
+    default:
+      return parse_wavefront_obj(text, name, progress);
   }
-  return parse_wavefront_obj(text, name, progress);
 }
 
 }  // namespace waywright::formats

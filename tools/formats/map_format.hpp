@@ -7,18 +7,16 @@
 #include "waywright/scene.hpp"
 
 #include "formats/reader.hpp"
+#include "text/file_types.hpp"
 
 namespace waywright::formats {
 
-/// A format of maps that the command reads and the library does not.
-enum class MapFormat : unsigned char { geojson, wkt, polyanya_mesh, wavefront_obj };
+/// Returns whether a file of this type contains a map that the command reads and the library does not.
+[[nodiscard]] bool reads_map(std::optional<text::FileType> type);
 
-/// Returns the format for the ending of a file name: `.geojson`, `.json`, `.wkt`, `.mesh` or `.obj`.
-[[nodiscard]] std::optional<MapFormat> map_format(std::string_view file_name);
-
-/// Reads a map from text. Error messages start with `NAME:LINE: `.
+/// Reads a map from text. Error messages start with `NAME:LINE: `. Requires: reads_map(type).
 /// Errors: malformed, coordinate_range.
-[[nodiscard]] Result<Scene> parse_map(MapFormat format, std::string_view text, std::string_view name,
+[[nodiscard]] Result<Scene> parse_map(text::FileType type, std::string_view text, std::string_view name,
                                       const ReadProgress& progress = {});
 
 }  // namespace waywright::formats

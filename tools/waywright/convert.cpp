@@ -17,6 +17,7 @@
 #include "input.hpp"
 #include "output.hpp"
 #include "picture.hpp"
+#include "text/file_types.hpp"
 
 namespace waywright::command {
 
@@ -33,10 +34,11 @@ std::string_view format_of(const ConvertOptions& options) {
   const std::string_view name = options.out;
   if (!options.format.empty()) return options.format;
   if (name == "-") return "wws";
-  for (const std::string_view format : {"wws", "wwb", "svg", "geojson"}) {
-    if (name.ends_with(fmt::format(".{}", format))) return format;
-  }
-  if (name.ends_with(".json")) return "geojson";
+  const auto type = text::type_of_name(name);
+  if (type == text::FileType::script) return "wws";
+  if (type == text::FileType::saved_world) return "wwb";
+  if (type == text::FileType::picture) return "svg";
+  if (type == text::FileType::geojson) return "geojson";
   throw Failure(fmt::format(
       "waywright: convert writes world scripts (.wws), saved worlds (.wwb), pictures (.svg) and GeoJSON (.geojson, "
       ".json), and '{}' has none of these endings; --format says which",

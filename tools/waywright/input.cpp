@@ -25,10 +25,13 @@
 #include "formats/map_format.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "text/file_types.hpp"
 
 namespace waywright::command {
 
 namespace {
+
+using text::FileType;
 
 struct Closer {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -64,25 +67,17 @@ T value_of(Result<T> read) {
   return std::move(read).value();
 }
 
-Scene parse_map(formats::MapFormat format, const std::string& text, const std::string& name) {
+Scene parse_map(FileType type, const std::string& text, const std::string& name) {
   Progress progress("read");
   return value_of(
-      formats::parse_map(format, text, name, [&](std::size_t done, std::size_t total) { progress.show(done, total); }));
-}
-
-/// Returns the format of a text on standard input, if it is neither a world script nor a saved world. Only GeoJSON
-/// starts with a brace.
-std::optional<formats::MapFormat> format_of_input(const std::string& text) {
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  const std::size_t start = text.find_first_not_of(" \t\r\n", text.starts_with(kByteOrderMark) ? 3 : 0);
-  if (start == std::string::npos || text[start] != '{') return std::nullopt;
-  return formats::MapFormat::geojson;
+      formats::parse_map(type, text, name, [&](std::size_t done, std::size_t total) { progress.show(done, total); }));
 }
 
 /// Reads standard input: a world script, a saved world or GeoJSON.
 Scene parse_input(const std::string& text, const std::string& name) {
-  if (is_saved_world(text)) return value_of(parse_saved_world(text, name));
-  if (const auto format = format_of_input(text)) return parse_map(*format, text, name);
+  const FileType type = text::type_of_bytes(text);
+  if (type == FileType::saved_world) return value_of(parse_saved_world(text, name));
+  if (type == FileType::geojson) return parse_map(type, text, name);
   return scene_of(value_of(parse_script(text, name)));
 }
 
@@ -112,26 +107,27 @@ std::string read_text(const std::string& name) {
 Script load_script(const std::string& name) { return value_of(parse_script(read_text(name), name)); }
 
 RunInput load_run(const std::string& name) {
-  const Result<SceneFormat> format = scene_format(name);
-  const bool is_map = formats::map_format(name) || (format.ok() && *format != SceneFormat::script);
-  if (name != "-" && is_map) {
-    Scene scene = load_scene(name);
-    const bool y_down = scene.y_down;
-    return {script_of(std::move(scene)), y_down};
+  const bool is_input = name == "-";
+  const std::optional<FileType> named = is_input ? std::nullopt : text::type_of_name(name);
+  Scene scene;
+  if (named && *named != FileType::script && *named != FileType::picture) {
+    scene = load_scene(name);
+  } else {
+    const std::string text = read_text(name);
+    const FileType type = text::type_of_bytes(text);
+    const bool is_scene = type == FileType::saved_world || (is_input && type == FileType::geojson);
+    if (!is_scene) return {value_of(parse_script(text, name)), false};
+    scene = parse_input(text, name);
   }
-  const std::string text = read_text(name);
-  if (!is_saved_world(text) && !(name == "-" && format_of_input(text)))
-    return {value_of(parse_script(text, name)), false};
-  Scene scene = parse_input(text, name);
   const bool y_down = scene.y_down;
   return {script_of(std::move(scene)), y_down};
 }
 
 Scene load_scene(const std::string& name) {
   if (name == "-") return parse_input(read_text(name), name);
-  if (const auto format = formats::map_format(name)) {
+  if (const auto type = text::type_of_name(name); formats::reads_map(type)) {
     const std::string text = read_text(name);
-    return is_saved_world(text) ? value_of(parse_saved_world(text, name)) : parse_map(*format, text, name);
+    return is_saved_world(text) ? value_of(parse_saved_world(text, name)) : parse_map(*type, text, name);
   }
   Result<Scene> scene = read_scene(name);
   if (!scene.ok() && scene.error().code == ErrorCode::not_supported && !scene_format(name).ok()) {
@@ -182,7 +178,8 @@ World build_world(const Scene& scene, const std::string& name, double radius) {
 
 std::vector<NamedFile> files_of_map(const std::string& name) {
   std::vector<NamedFile> files{{"MAP", name}};
-  if (name.ends_with(".poly")) files.push_back({"MAP", name.substr(0, name.rfind('.')) + ".node"});
+  if (text::type_of_name(name) == FileType::triangle_poly)
+    files.push_back({"MAP", name.substr(0, name.rfind('.')) + ".node"});
   return files;
 }
 

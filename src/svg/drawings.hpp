@@ -1,15 +1,34 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "waywright/item.hpp"
 #include "waywright/svg.hpp"
 #include "waywright/world.hpp"
 
-#include "io/svg_legend.hpp"
-#include "io/svg_theme.hpp"
+#include "svg/theme.hpp"
 
-namespace waywright::io {
+namespace waywright::svg {
+
+/// One entry of the legend: a sample, 16 pixels high, and its meaning.
+struct LegendEntry {
+  std::string sample;  ///< SVG elements
+  std::string label;
+  double sample_width = 28.0;
+};
+
+/// The drawing of a world, and its entries in the legend.
+struct WorldDrawing {
+  std::string elements;
+  std::vector<LegendEntry> entries;
+};
+
+/// Draws the domain, the items and the mesh.
+[[nodiscard]] WorldDrawing draw_world(const World& world, const SvgFrame& frame, const SvgOptions& options,
+                                      const Palette& palette);
 
 /// A group of elements that lie over the world.
 struct OverlayDrawing {
@@ -28,4 +47,4 @@ struct OverlayDrawing {
 /// Draws what the caller has added.
 [[nodiscard]] OverlayDrawing draw_additions(const SvgOverlay& overlay, const SvgFrame& frame, const Palette& palette);
 
-}  // namespace waywright::io
+}  // namespace waywright::svg

@@ -1,11 +1,11 @@
-#include "io/svg_theme.hpp"
+#include "svg/theme.hpp"
 
 #include <array>
 #include <cstddef>
 
-#include "io/svg_canvas.hpp"
+#include "svg/elements.hpp"
 
-namespace waywright::io {
+namespace waywright::svg {
 
 namespace {
 
@@ -114,4 +114,4 @@ std::string Palette::style() const {
   return out + "}</style>\n";
 }
 
-}  // namespace waywright::io
+}  // namespace waywright::svg

@@ -6,7 +6,7 @@
 
 #include "waywright/svg.hpp"
 
-namespace waywright::io {
+namespace waywright::svg {
 
 /// The use of a colour in the theme.
 enum class Ink : std::uint8_t {
@@ -60,4 +60,4 @@ class Palette {
   SvgTheme theme_;
 };
 
-}  // namespace waywright::io
+}  // namespace waywright::svg

@@ -9,11 +9,12 @@
 #include "waywright/path.hpp"
 #include "waywright/svg.hpp"
 
-#include "io/svg_canvas.hpp"
-#include "io/svg_overlay.hpp"
-#include "io/svg_theme.hpp"
+#include "svg/drawings.hpp"
+#include "svg/elements.hpp"
+#include "svg/path_data.hpp"
+#include "svg/theme.hpp"
 
-namespace waywright::io {
+namespace waywright::svg {
 
 inline constexpr std::array<Ink, 4> kPathInks{Ink::path_1, Ink::path_2, Ink::path_3, Ink::path_4};
 inline constexpr std::size_t kManyQueries = 12;  // from this number on, marks and lines are small
@@ -72,4 +73,4 @@ class QueryCanvas {
   double end_radius_ = 0.0;
 };
 
-}  // namespace waywright::io
+}  // namespace waywright::svg

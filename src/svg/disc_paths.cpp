@@ -7,14 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "io/svg_canvas.hpp"
-#include "io/svg_clip.hpp"
-#include "io/svg_marks.hpp"
-#include "io/svg_overlay.hpp"
-#include "io/svg_query_canvas.hpp"
-#include "io/svg_world.hpp"
+#include "svg/drawings.hpp"
+#include "svg/elements.hpp"
+#include "svg/path_data.hpp"
+#include "svg/queries.hpp"
 
-namespace waywright::io {
+namespace waywright::svg {
 
 namespace {
 
@@ -339,4 +337,4 @@ OverlayDrawing draw_disc_paths(const World& world, const SvgOverlay& overlay, co
   return DiscPathDrawer(world, overlay, frame, palette).draw();
 }
 
-}  // namespace waywright::io
+}  // namespace waywright::svg

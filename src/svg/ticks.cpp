@@ -1,4 +1,4 @@
-#include "io/svg_ticks.hpp"
+#include "svg/ticks.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 
 #include "text/text.hpp"
 
-namespace waywright::io {
+namespace waywright::svg {
 
 namespace {
 
@@ -133,4 +133,4 @@ Tick scale_bar_length(double most) {
   return {nearest_double(best), label.size() > kLongLabel ? scientific(best) : label};
 }
 
-}  // namespace waywright::io
+}  // namespace waywright::svg

@@ -10,39 +10,7 @@
 #include "waywright/point.hpp"
 #include "waywright/svg.hpp"
 
-namespace waywright::io {
-
-/// Appends a number with at most two decimals, without trailing zeros. A hundredth of a pixel is invisible.
-void append_pixels(std::string& out, double value);
-
-/// Appends a text that is safe for XML: escapes markup, replaces control characters by blanks, and bytes that are not
-/// UTF-8 by `?`.
-void append_escaped(std::string& out, std::string_view text);
-
-/// Appends ` name="value"`, with the value as it is.
-void append_attribute(std::string& out, std::string_view name, std::string_view value);
-void append_attribute(std::string& out, std::string_view name, double value);
-
-/// Appends `<title>text</title>`, escaped. A browser shows this text on hover.
-void append_hint(std::string& out, std::string_view text);
-
-/// The number of characters in a UTF-8 text.
-[[nodiscard]] std::size_t character_count(std::string_view text);
-
-/// Returns the text or, if it has more than `most` characters, the first `most` - 1 of them and `…`. Requires: `most`
-/// is 1 or more.
-[[nodiscard]] std::string shortened(std::string_view text, std::size_t most);
-
-[[nodiscard]] bool is_finite(const Point& point);
-[[nodiscard]] bool contains(const Box& box, const Point& point);
-[[nodiscard]] bool contains(const Box& box, const Box& other);
-/// Returns whether two closed boxes have a point in common.
-[[nodiscard]] bool meets(const Box& box, const Box& other);
-
-/// Returns whether a disc may have a point in common with a box. Compares the box around the disc.
-[[nodiscard]] bool meets(const Box& box, const Point& centre, double radius);
-
-[[nodiscard]] std::string circle(const Point& centre, double radius);
+namespace waywright::svg {
 
 /// Builds the `d` attribute of a path element from points of the world. It omits lines far outside the map, and cuts
 /// lines at the border of a box that is a little larger than the map.
@@ -98,4 +66,13 @@ class PathData {
   std::vector<Point> scratch_;
 };
 
-}  // namespace waywright::io
+/// Cuts a segment to a closed box. Returns false if they have no point in common, or if a coordinate of the segment is
+/// not finite. Does not change an end that lies inside the box. Source: Liang and Barsky, *A new concept and method for
+/// line clipping*, 1984.
+[[nodiscard]] bool clip_segment(const Box& box, Point& a, Point& b);
+
+/// Cuts a ring to a box. The winding number of the ring around each point inside the box stays the same. Source:
+/// Sutherland and Hodgman, *Reentrant polygon clipping*, 1974.
+void clip_ring(const Box& box, std::vector<Point>& ring, std::vector<Point>& scratch);
+
+}  // namespace waywright::svg

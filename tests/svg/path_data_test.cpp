@@ -1,4 +1,4 @@
-#include "io/svg_clip.hpp"
+#include "svg/path_data.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 #include "waywright/point.hpp"
 
-namespace waywright::io {
+namespace waywright::svg {
 namespace {
 
 const Box kBox{{0, 0}, {10, 6}};
@@ -137,4 +137,4 @@ TEST(ClipRing, LeavesNothingOfARingBesideTheBoxAndAllOfOneInside) {
 }
 
 }  // namespace
-}  // namespace waywright::io
+}  // namespace waywright::svg

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <cstring>
 #include <istream>
+#include <limits>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,10 +16,198 @@
 
 #include "base/bit_cast.hpp"
 #include "io/crc32c.hpp"
-#include "io/saved_world.hpp"
+#include "text/file_types.hpp"
 #include "text/text.hpp"
 
+// Writes and reads saved worlds. docs/formats.md describes the format.
+
 namespace waywright {
+
+namespace {
+
+constexpr std::uint64_t kSavedWorldVersion = 1;
+
+// The bits of the options.
+constexpr std::uint64_t kKeepsAbstraction = 1;
+constexpr std::uint64_t kKeepsBridges = 2;
+
+/// The largest number of items of one run: a group of items of one kind whose ids count up by 1.
+constexpr std::uint64_t kLargestRun = 4096;
+
+/// The largest number of points of one ring, and of rings of one item: a world accepts no more.
+constexpr std::uint64_t kLargestCount = std::uint64_t{1} << 27;
+
+/// The kinds have the same numbers as in the hash of the items: see docs/hashes.md.
+enum class SavedKind : std::uint8_t { point, segment, polyline, even_odd_polygon, nonzero_polygon };
+constexpr std::uint64_t kSavedKindCount = 5;
+/// The kind of a run is in these low bits, the number of its items is above them.
+constexpr unsigned kKindBits = 3;
+
+static_assert(sizeof(double) == 8 && std::numeric_limits<double>::is_iec559);
+
+constexpr std::size_t kStep = 8;
+using Table = std::array<std::uint32_t, 256>;
+
+/// Returns the tables: in table i, the entry of a byte is the effect of this byte, followed by i zero bytes.
+constexpr std::array<Table, kStep> make_tables() {
+  constexpr std::uint32_t kReversedPolynomial = 0x82f63b78;
+  std::array<Table, kStep> tables{};
+  for (std::uint32_t byte = 0; byte < 256; ++byte) {
+    std::uint32_t state = byte;
+    for (int bit = 0; bit < 8; ++bit) state = (state >> 1) ^ ((state & 1) != 0 ? kReversedPolynomial : 0);
+    tables[0][byte] = state;
+  }
+  for (std::size_t i = 1; i < kStep; ++i) {
+    for (std::size_t byte = 0; byte < 256; ++byte) {
+      const std::uint32_t before = tables[i - 1][byte];
+      tables[i][byte] = (before >> 8) ^ tables[0][before & 0xff];
+    }
+  }
+  return tables;
+}
+
+constexpr std::array<Table, kStep> kTables = make_tables();
+
+}  // namespace
+
+void io::Crc32c::add(std::string_view bytes) {
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])); };
+  std::uint32_t state = state_;
+  while (bytes.size() >= kStep) {
+    state ^= byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24;
+    state = kTables[7][state & 0xff] ^ kTables[6][state >> 8 & 0xff] ^ kTables[5][state >> 16 & 0xff] ^
+            kTables[4][state >> 24] ^ kTables[3][byte(4)] ^ kTables[2][byte(5)] ^ kTables[1][byte(6)] ^
+            kTables[0][byte(7)];
+    bytes.remove_prefix(kStep);
+  }
+  for (std::size_t i = 0; i < bytes.size(); ++i) state = (state >> 8) ^ kTables[0][(state ^ byte(i)) & 0xff];
+  state_ = state;
+}
+
+namespace {
+
+void append_fixed(std::string& bytes, std::uint64_t value, std::size_t size) {
+  for (std::size_t i = 0; i < size; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xff);
+}
+
+void append_double(std::string& bytes, double value) { append_fixed(bytes, base::bit_cast<std::uint64_t>(value), 8); }
+
+void append_point(std::string& bytes, const Point& p) {
+  append_double(bytes, p.x);
+  append_double(bytes, p.y);
+}
+
+void append_varint(std::string& bytes, std::uint64_t value) {
+  for (; value >= 0x80; value >>= 7) bytes += static_cast<char>((value & 0x7f) | 0x80);
+  bytes += static_cast<char>(value);
+}
+
+SavedKind kind_of(const Shape& shape) {
+  switch (shape.kind) {
+    case ItemKind::point:
+      return SavedKind::point;
+    case ItemKind::segment:
+      return SavedKind::segment;
+    case ItemKind::polyline:
+      return SavedKind::polyline;
+    case ItemKind::polygon:
+      break;
+  }
+  return shape.fill == FillRule::nonzero ? SavedKind::nonzero_polygon : SavedKind::even_odd_polygon;
+}
+
+/// Writes one world to a stream: the header, the runs of items, and the checksum.
+class WorldWriter {
+ public:
+  explicit WorldWriter(std::ostream& out) : out_(out) {}
+
+  /// Returns whether the stream has accepted all bytes.
+  bool write(const World& world) {
+    add_header(world);
+    for (const ItemId id : world.item_ids()) {
+      if (!world.shape(id, shape_).ok()) return false;  // never: the world has this item
+      add_item(id);
+      if (bytes_.size() >= kPiece && !write_bytes()) return false;
+    }
+    end_run();
+    if (!write_bytes()) return false;
+    append_fixed(bytes_, checksum_.value(), 4);
+    return write_bytes() && out_.flush().good();
+  }
+
+ private:
+  static constexpr std::size_t kPiece = std::size_t{1} << 16;
+
+  void add_header(const World& world) {
+    const WorldOptions options = world.options();
+    bytes_ += text::kSavedWorldMagic;
+    append_fixed(bytes_, kSavedWorldVersion, 2);
+    append_point(bytes_, world.domain().min);
+    append_point(bytes_, world.domain().max);
+    append_fixed(bytes_,
+                 (options.keep_abstraction ? kKeepsAbstraction : 0) | (options.keep_bridges ? kKeepsBridges : 0), 4);
+    append_fixed(bytes_, world.largest_id_seen().value, 8);
+    append_fixed(bytes_, world.item_count(), 8);
+    for (const std::uint64_t word : world.items_hash().words) append_fixed(bytes_, word, 8);
+  }
+
+  /// Adds the item with the shape `shape_` to the run, or to a new run if it does not belong to this one.
+  void add_item(ItemId id) {
+    const SavedKind kind = kind_of(shape_);
+    const bool continues = run_size_ > 0 && run_size_ < kLargestRun && id.value == last_id_ + 1 && kind == kind_;
+    if (!continues) {
+      end_run();
+      id_step_ = id.value - last_id_;
+      kind_ = kind;
+    }
+    ++run_size_;
+    last_id_ = id.value;
+    const bool is_polygon = shape_.kind == ItemKind::polygon;
+    if (is_polygon) append_varint(counts_, shape_.rings.size());
+    if (is_polygon || shape_.kind == ItemKind::polyline) {
+      for (const auto& ring : shape_.rings) append_varint(counts_, ring.size());
+    }
+    for (const Point& p : shape_.rings.points()) append_point(points_, p);
+  }
+
+  void end_run() {
+    if (run_size_ == 0) return;
+    append_varint(bytes_, id_step_);
+    append_varint(bytes_, run_size_ << kKindBits | static_cast<std::uint64_t>(kind_));
+    bytes_ += counts_;
+    bytes_ += points_;
+    run_size_ = 0;
+    counts_.clear();
+    points_.clear();
+  }
+
+  bool write_bytes() {
+    checksum_.add(bytes_);
+    out_.write(bytes_.data(), static_cast<std::streamsize>(bytes_.size()));
+    bytes_.clear();
+    return out_.good();
+  }
+
+  std::ostream& out_;
+  io::Crc32c checksum_;
+  std::string bytes_;  ///< not written yet
+  Shape shape_;
+  std::uint64_t last_id_ = 0;
+
+  // The run under way.
+  std::uint64_t run_size_ = 0;
+  std::uint64_t id_step_ = 0;  ///< the first id of the run minus the id of the last item before it
+  SavedKind kind_ = SavedKind::point;
+  std::string counts_;
+  std::string points_;
+};
+
+}  // namespace
+
+Result<void> save_world(const World& world, std::ostream& out) {
+  if (out.good() && WorldWriter(out).write(world)) return {};
+  return Error{ErrorCode::unwritable, "the world cannot be saved: the stream accepts no more bytes", {}, 0};
+}
 
 /// Points and their ids, which ascend. As long as the ids count up, the object contains only the first of them.
 struct LoadedPoints {
@@ -44,8 +234,6 @@ struct LoadedPoints {
 };
 
 namespace {
-
-using io::SavedKind;
 
 std::uint64_t fixed_at(const char* bytes, std::size_t size) {
   std::uint64_t value = 0;
@@ -214,7 +402,7 @@ bool WorldReader::read_varint(std::uint64_t& value) {
 
 bool WorldReader::read_count(std::uint64_t& value) {
   if (!read_varint(value)) return false;
-  return (value >= 1 && value <= io::kLargestCount) || fail("a number of points or rings is not from 1 to 2^27");
+  return (value >= 1 && value <= kLargestCount) || fail("a number of points or rings is not from 1 to 2^27");
 }
 
 bool WorldReader::read_point(Point& point) {
@@ -235,15 +423,15 @@ bool WorldReader::read_points(std::uint64_t count, Visit&& visit) {
 }
 
 bool WorldReader::read_header() {
-  std::array<char, io::kSavedWorldMagic.size()> magic{};
+  std::array<char, text::kSavedWorldMagic.size()> magic{};
   if (!in_.good()) return fail(ErrorCode::unreadable, "the stream cannot be read");
   if (!read_bytes(magic.data(), magic.size())) return false;
-  if (std::string_view(magic.data(), magic.size()) != io::kSavedWorldMagic) {
+  if (std::string_view(magic.data(), magic.size()) != text::kSavedWorldMagic) {
     return fail("a saved world starts with 'WWORLD', and these bytes do not");
   }
   std::uint64_t version = 0;
   if (!read_fixed(version, 2)) return false;
-  if (version != io::kSavedWorldVersion) {
+  if (version != kSavedWorldVersion) {
     const std::string what = text::with_number("the saved world has version ", version, " of the format");
     return fail(ErrorCode::not_supported, what + "; this version of Waywright reads version 1");
   }
@@ -254,9 +442,9 @@ bool WorldReader::read_header() {
 bool WorldReader::read_options() {
   std::uint64_t bits = 0;
   if (!read_fixed(bits, 4)) return false;
-  if (bits > (io::kKeepsAbstraction | io::kKeepsBridges)) return fail("the options have an unknown bit");
-  options_.keep_abstraction = (bits & io::kKeepsAbstraction) != 0;
-  options_.keep_bridges = (bits & io::kKeepsBridges) != 0;
+  if (bits > (kKeepsAbstraction | kKeepsBridges)) return fail("the options have an unknown bit");
+  options_.keep_abstraction = (bits & kKeepsAbstraction) != 0;
+  options_.keep_bridges = (bits & kKeepsBridges) != 0;
   return true;
 }
 
@@ -273,11 +461,11 @@ bool WorldReader::read_run(std::uint64_t remaining) {
   std::uint64_t id_step = 0;
   std::uint64_t size_and_kind = 0;
   if (!read_varint(id_step) || !read_varint(size_and_kind)) return false;
-  const std::uint64_t size = size_and_kind >> io::kKindBits;
-  const std::uint64_t kind = size_and_kind & ((1U << io::kKindBits) - 1);
-  if (size < 1 || size > io::kLargestRun) return fail("the number of items of a run is not from 1 to 4096");
+  const std::uint64_t size = size_and_kind >> kKindBits;
+  const std::uint64_t kind = size_and_kind & ((1U << kKindBits) - 1);
+  if (size < 1 || size > kLargestRun) return fail("the number of items of a run is not from 1 to 4096");
   if (size > remaining) return fail("a run has more items than are left");
-  if (kind >= io::kSavedKindCount) return fail("an item has an unknown kind");
+  if (kind >= kSavedKindCount) return fail("an item has an unknown kind");
   if (id_step < 1) return fail("the ids do not ascend");
   const std::uint64_t ids_left = largest_id_seen_ - last_id_;
   if (id_step > ids_left || size - 1 > ids_left - id_step) return fail("an id is above the largest id");

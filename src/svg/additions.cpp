@@ -2,12 +2,11 @@
 #include <cmath>
 #include <string>
 
-#include "io/svg_canvas.hpp"
-#include "io/svg_marks.hpp"
-#include "io/svg_overlay.hpp"
-#include "io/svg_world.hpp"
+#include "svg/drawings.hpp"
+#include "svg/elements.hpp"
+#include "svg/path_data.hpp"
 
-namespace waywright::io {
+namespace waywright::svg {
 
 namespace {
 
@@ -80,4 +79,4 @@ OverlayDrawing draw_additions(const SvgOverlay& overlay, const SvgFrame& frame, 
   return drawing;
 }
 
-}  // namespace waywright::io
+}  // namespace waywright::svg

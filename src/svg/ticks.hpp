@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace waywright::io {
+namespace waywright::svg {
 
 /// A round number on an axis.
 struct Tick {
@@ -31,4 +31,4 @@ struct TickRoom {
 /// The number of characters of the longest label.
 [[nodiscard]] std::size_t longest_label(const std::vector<Tick>& ticks);
 
-}  // namespace waywright::io
+}  // namespace waywright::svg

@@ -1,4 +1,4 @@
-#include "io/svg_ticks.hpp"
+#include "svg/ticks.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace waywright::io {
+namespace waywright::svg {
 namespace {
 
 using Labels = std::vector<std::string>;
@@ -89,4 +89,4 @@ TEST(ScaleBarLength, IsTheLargestRoundNumberThatFits) {
 }
 
 }  // namespace
-}  // namespace waywright::io
+}  // namespace waywright::svg

@@ -1,5 +1,3 @@
-#include "io/svg_world.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,10 +6,12 @@
 
 #include "waywright/mesh_snapshot.hpp"
 
-#include "io/svg_canvas.hpp"
+#include "svg/drawings.hpp"
+#include "svg/elements.hpp"
+#include "svg/path_data.hpp"
 #include "text/text.hpp"
 
-namespace waywright::io {
+namespace waywright::svg {
 
 namespace {
 
@@ -281,20 +281,8 @@ class WorldDrawer {
 
 }  // namespace
 
-std::string line_sample(const Palette& palette, const Paint& colour, double stroke_width, std::string_view attributes) {
-  std::string out = "<path d=\"M1 8H27\" stroke-linecap=\"round\"";
-  palette.append(out, {Ink::none}, colour);
-  append_attribute(out, "stroke-width", stroke_width);
-  out += attributes;
-  return out + "/>";
-}
-
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return text::with_number("", count, " ") + std::string(count == 1 ? one : many);
-}
-
 WorldDrawing draw_world(const World& world, const SvgFrame& frame, const SvgOptions& options, const Palette& palette) {
   return WorldDrawer(world, frame, options, palette).draw();
 }
 
-}  // namespace waywright::io
+}  // namespace waywright::svg
