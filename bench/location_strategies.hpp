@@ -8,7 +8,6 @@
 
 #include "waywright/point.hpp"
 
-#include "locate/random.hpp"
 #include "locate/walk.hpp"
 #include "mesh/triangle_mesh.hpp"
 

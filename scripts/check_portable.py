@@ -25,8 +25,7 @@ COMPILER_FILES = {
     "bindings/wasm/module.cpp",  # imports of a WebAssembly module
 }
 SYSTEM_FILES = COMPILER_FILES | {
-    "src/base/disk.cpp",
-    "src/base/page_file.cpp",
+    "src/base/system.cpp",
     "tools/waywright/platform.cpp",
 }
 # The code that determines meshes and the lengths of paths.
@@ -61,7 +60,7 @@ RULES = [
     ),
     Rule(r"(?<!long )\blong\b(?!\s+(?:long|double))", "differs in size between targets; use std::int64_t or std::ptrdiff_t"),
     Rule(r"\bchars_format\b", "belongs in src/base/number_text.hpp", {"src/base/number_text.hpp"}),
-    Rule(r"std::bit_cast\b", "is missing in libc++ 13; use base::bit_cast", {"src/base/bit_cast.hpp"}),
+    Rule(r"std::bit_cast\b", "is missing in libc++ 13; use base::bit_cast", {"src/base/compiler.hpp"}),
     Rule(r"std::(?:ranges|views)::", "is missing in libc++ 14; use the algorithms of C++17"),
     Rule(
         r"std::(?:hypot|pow|exp2?|log(?:2|10)?|sin|cos|tan|a(?:sin|cos|tan2?)|cbrt|fma)\(",

@@ -4,7 +4,7 @@
 
 #include "waywright/point.hpp"
 
-#include "exact/sign.hpp"
+#include "exact/position.hpp"
 #include "thesis/rival_geometry.hpp"
 
 namespace waywright::bench {

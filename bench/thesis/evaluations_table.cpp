@@ -4,8 +4,8 @@
 
 #include "waywright/predicate_counts.hpp"
 
-#include "exact/counts.hpp"
 #include "exact/geometry.hpp"
+#include "exact/position.hpp"
 #include "thesis/interval_arithmetic.hpp"
 #include "thesis/tables.hpp"
 #include "thesis/triangulated.hpp"

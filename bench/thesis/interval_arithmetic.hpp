@@ -5,7 +5,7 @@
 
 #include "waywright/point.hpp"
 
-#include "exact/sign.hpp"
+#include "exact/position.hpp"
 #include "thesis/interval_filter.hpp"
 #include "thesis/rational_arithmetic.hpp"
 #include "thesis/rival_geometry.hpp"

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "exact/sign.hpp"
+#include "exact/position.hpp"
 
 namespace waywright::bench {
 

@@ -10,7 +10,7 @@
 #include "waywright/point.hpp"
 
 #include "base/compiler.hpp"
-#include "exact/sign.hpp"
+#include "exact/position.hpp"
 #include "memory/array.hpp"
 
 namespace waywright::bench {

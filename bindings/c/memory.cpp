@@ -89,7 +89,7 @@ void operator delete[](void* memory, std::align_val_t alignment, const std::noth
 }
 
 // Besides `operator new`, the library takes memory from these three functions, or after the third has allowed it. The
-// static library defines them in src/memory/zeroed_memory.cpp. The linker takes the definitions here instead of those,
+// static library defines them in src/memory/scratch.cpp. The linker takes the definitions here instead of those,
 // because it finds them first.
 namespace waywright::memory {
 

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <bit>
+#include <cstring>
+#include <type_traits>
+
 /// This file contains all code that depends on the compiler. The other files are standard C++:
 /// scripts/check_portable.py refuses constructs like these in other files. Each construct has a fallback for compilers
 /// that do not have it.
@@ -46,5 +50,19 @@ inline constexpr bool kHasThreads = false;
 #else
 inline constexpr bool kHasThreads = true;
 #endif
+
+/// Does what std::bit_cast does, also with libc++ before version 14, which has no std::bit_cast. In that case, a call
+/// is not a constant expression.
+template <class To, class From>
+[[nodiscard]] constexpr To bit_cast(const From& from) noexcept {
+  static_assert(sizeof(To) == sizeof(From) && std::is_trivially_copyable_v<To> && std::is_trivially_copyable_v<From>);
+#if defined(__cpp_lib_bit_cast)
+  return std::bit_cast<To>(from);
+#else
+  To to;
+  std::memcpy(&to, &from, sizeof(To));
+  return to;
+#endif
+}
 
 }  // namespace waywright::base

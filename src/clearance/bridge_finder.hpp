@@ -13,8 +13,7 @@
 #include "constraint/constrained_triangulation.hpp"
 #include "constraint/distances.hpp"
 #include "exact/gap.hpp"
-#include "memory/stamp.hpp"
-#include "memory/zeroed_array.hpp"
+#include "memory/scratch.hpp"
 
 namespace waywright::clearance {
 

@@ -11,8 +11,7 @@
 #include "clearance/cells.hpp"
 #include "constraint/constrained_triangulation.hpp"
 #include "constraint/cover_finder.hpp"
-#include "memory/stamp.hpp"
-#include "memory/zeroed_array.hpp"
+#include "memory/scratch.hpp"
 
 namespace waywright::clearance {
 

@@ -16,8 +16,8 @@
 #include "clearance/feet.hpp"
 #include "clearance/wall_tree.hpp"
 #include "constraint/constrained_triangulation.hpp"
-#include "memory/journaled_array.hpp"
-#include "memory/zeroed_array.hpp"
+#include "memory/journal.hpp"
+#include "memory/scratch.hpp"
 
 namespace waywright::clearance {
 

@@ -6,7 +6,7 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
-#include "exact/sign.hpp"
+#include "exact/position.hpp"
 
 namespace waywright::clearance {
 

@@ -14,8 +14,7 @@
 #include "clearance/near_walls.hpp"
 #include "clearance/widest.hpp"
 #include "constraint/constrained_triangulation.hpp"
-#include "memory/stamp.hpp"
-#include "memory/zeroed_array.hpp"
+#include "memory/scratch.hpp"
 
 namespace waywright::clearance {
 

@@ -7,7 +7,7 @@
 #include "waywright/point.hpp"
 
 #include "memory/free_list.hpp"
-#include "memory/journaled_array.hpp"
+#include "memory/journal.hpp"
 #include "mesh/index.hpp"
 
 namespace waywright::clearance {

@@ -9,9 +9,9 @@
 #include "base/ieee.hpp"
 #include "clearance/walls.hpp"
 #include "constraint/distances.hpp"
+#include "exact/doubles.hpp"
 #include "exact/filter.hpp"
 #include "exact/gap.hpp"
-#include "exact/next_coordinate.hpp"
 
 namespace waywright::clearance {
 

@@ -16,7 +16,7 @@
 #include "constraint/constrained_triangulation.hpp"
 #include "memory/count.hpp"
 #include "memory/free_list.hpp"
-#include "memory/journaled_array.hpp"
+#include "memory/journal.hpp"
 #include "mesh/touched_faces.hpp"
 
 namespace waywright::clearance {

@@ -13,8 +13,7 @@
 #include "clearance/cells.hpp"
 #include "clearance/near_walls.hpp"
 #include "constraint/constrained_triangulation.hpp"
-#include "memory/stamp.hpp"
-#include "memory/zeroed_array.hpp"
+#include "memory/scratch.hpp"
 
 namespace waywright::clearance {
 

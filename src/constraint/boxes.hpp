@@ -8,7 +8,7 @@
 
 #include "base/ieee.hpp"
 #include "constraint/constrained_triangulation.hpp"
-#include "exact/exact_position.hpp"
+#include "exact/position.hpp"
 #include "exact/predicates.hpp"
 
 namespace waywright::constraint {

@@ -18,7 +18,7 @@
 #include "constraint/use_lists.hpp"
 #include "delaunay/triangulation.hpp"
 #include "locate/curve.hpp"
-#include "memory/journaled_array.hpp"
+#include "memory/journal.hpp"
 
 namespace waywright::constraint {
 

@@ -8,7 +8,7 @@
 #include "waywright/item.hpp"
 #include "waywright/point.hpp"
 
-#include "base/bit_cast.hpp"
+#include "base/compiler.hpp"
 
 namespace waywright::constraint {
 

@@ -12,8 +12,7 @@
 #include "constraint/cover_finder.hpp"
 #include "constraint/slot_sets.hpp"
 #include "exact/sweep.hpp"
-#include "memory/stamp.hpp"
-#include "memory/zeroed_array.hpp"
+#include "memory/scratch.hpp"
 
 namespace waywright::constraint {
 

@@ -5,7 +5,7 @@
 #include "waywright/memory_use.hpp"
 
 #include "memory/free_list.hpp"
-#include "memory/journaled_array.hpp"
+#include "memory/journal.hpp"
 
 namespace waywright::constraint {
 

@@ -9,11 +9,10 @@
 #include "base/compiler.hpp"
 #include "delaunay/legality.hpp"
 #include "delaunay/polygon_triangles.hpp"
-#include "exact/sign.hpp"
+#include "exact/position.hpp"
 #include "memory/count.hpp"
 #include "mesh/index.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "mesh/unlogged_mesh.hpp"
 
 namespace waywright::delaunay {
 

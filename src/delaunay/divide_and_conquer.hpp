@@ -8,7 +8,7 @@
 #include "waywright/point.hpp"
 
 #include "delaunay/legality.hpp"
-#include "exact/sign.hpp"
+#include "exact/position.hpp"
 #include "locate/curve.hpp"
 #include "mesh/index.hpp"
 #include "mesh/triangle_mesh.hpp"

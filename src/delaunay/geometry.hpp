@@ -1,6 +1,5 @@
 #pragma once
 
-#include "exact/any_geometry.hpp"
 #include "exact/geometry.hpp"
 
 #if !defined(WAYWRIGHT_GEOMETRY)

@@ -5,7 +5,7 @@
 
 #include "base/compiler.hpp"
 #include "delaunay/geometry.hpp"
-#include "exact/sign.hpp"
+#include "exact/position.hpp"
 #include "mesh/index.hpp"
 
 namespace waywright::delaunay {

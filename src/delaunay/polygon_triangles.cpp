@@ -4,11 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "base/bit_cast.hpp"
 #include "base/compiler.hpp"
 #include "delaunay/legality.hpp"
-#include "exact/sign.hpp"
-#include "exact/twofold.hpp"
+#include "exact/doubles.hpp"
+#include "exact/position.hpp"
 
 namespace waywright::delaunay {
 

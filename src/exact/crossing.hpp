@@ -5,8 +5,7 @@
 
 #include "waywright/point.hpp"
 
-#include "exact/counts.hpp"
-#include "exact/exact_position.hpp"
+#include "exact/position.hpp"
 
 namespace waywright::exact {
 

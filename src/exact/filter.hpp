@@ -7,8 +7,7 @@
 
 #include "waywright/point.hpp"
 
-#include "exact/exact_position.hpp"
-#include "exact/sign.hpp"
+#include "exact/position.hpp"
 
 // Stage 1 of the predicates: doubles with a proven error bound. Notation: u = 2^-53, and d^ ("d hat") is the computed
 // value of d. There are three bounds: one constant for all orientations in a box; a coarse bound, which is cheap, holds
@@ -42,7 +41,7 @@
 // explicit coordinate, so products may underflow. The underflow of a product loses less than 2^-1022, and the code
 // trusts a sign only if the determinant exceeds 2^-1000. In-circle multiplies this loss by at most (R_x + R_y)^2. If
 // R_x is the larger one and more than 2^9, then 36 u R_x^3 R_y exceeds the loss, because R_y is 0 or at least 2^-711
-// (rounded.hpp). If R_y is 0, the loss is multiplied by 0, or all factors of the product that underflows are 0.
+// (error_bounds.hpp). If R_y is 0, the loss is multiplied by 0, or all factors of the product that underflows are 0.
 //
 // The bounds above are the fine bound. The coarse bound treats all points as constructed and uses squares instead of
 // magnitudes. Here m is the larger of m_x and m_y, and S is S_x + S_y. Let s = t^2 be the sum of the squares of all d^,

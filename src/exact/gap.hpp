@@ -6,9 +6,8 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
-#include "exact/exact_position.hpp"
-#include "exact/rounded.hpp"
-#include "exact/sign.hpp"
+#include "exact/error_bounds.hpp"
+#include "exact/position.hpp"
 
 namespace waywright::exact {
 

@@ -5,11 +5,16 @@
 #include <cstdint>
 #include <limits>
 
-#include "base/bit_cast.hpp"
-#include "exact/exact_position.hpp"
-#include "exact/integer.hpp"
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include "base/compiler.hpp"
+#include "exact/position.hpp"
 
 namespace waywright::exact {
+
+/// An integer of arbitrary precision. It uses no expression templates, so `auto` and the operator ?: have the type
+/// Integer.
+using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
 /// A double, written as mantissa * 2^exponent. The mantissa is odd, or 0 for 0.
 struct Dyadic {
@@ -80,5 +85,19 @@ struct Homogeneous {
 
 /// Rounds each coordinate to the nearest double. Requires: no result is subnormal.
 [[nodiscard]] Point round_to_nearest(const Homogeneous& point, int lattice_exponent);
+
+/// An integer of at most kBits bits. It lies on the stack, so it allocates nothing. Requires: no result has more bits.
+template <unsigned kBits>
+using StackInteger = boost::multiprecision::number<
+    boost::multiprecision::cpp_int_backend<kBits, kBits, boost::multiprecision::signed_magnitude,
+                                           boost::multiprecision::unchecked, void>,
+    boost::multiprecision::et_off>;
+
+/// Requires: the number is a multiple of 2^lattice_exponent.
+template <unsigned kBits>
+[[nodiscard]] StackInteger<kBits> to_stack_integer(const Dyadic& number, int lattice_exponent) {
+  if (number.mantissa == 0) return StackInteger<kBits>{0};
+  return StackInteger<kBits>{number.mantissa} << static_cast<unsigned>(number.exponent - lattice_exponent);
+}
 
 }  // namespace waywright::exact

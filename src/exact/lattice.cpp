@@ -1,5 +1,3 @@
-#include "exact/lattice.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,9 +5,9 @@
 #include <cstdint>
 #include <utility>
 
-#include "exact/lattice_point.hpp"
+#include "exact/doubles.hpp"
 #include "exact/offsets.hpp"
-#include "exact/whole.hpp"
+#include "exact/predicates.hpp"
 #include "exact/wide_integer.hpp"
 
 namespace waywright::exact::lattice {

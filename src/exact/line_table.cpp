@@ -4,7 +4,7 @@
 #include <bit>
 #include <utility>
 
-#include "base/bit_cast.hpp"
+#include "base/compiler.hpp"
 
 namespace waywright::exact {
 

@@ -7,7 +7,7 @@
 
 #include "waywright/memory_use.hpp"
 
-#include "exact/exact_position.hpp"
+#include "exact/position.hpp"
 #include "memory/array.hpp"
 #include "memory/count.hpp"
 #include "memory/free_list.hpp"

@@ -5,9 +5,8 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
-#include "exact/exact_position.hpp"
 #include "exact/homogeneous.hpp"
-#include "exact/integer.hpp"
+#include "exact/position.hpp"
 
 namespace waywright::exact {
 

@@ -4,8 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "exact/bounded.hpp"
+#include "exact/error_bounds.hpp"
 #include "exact/homogeneous.hpp"
+#include "exact/position.hpp"
 
 namespace waywright::exact {
 
@@ -150,3 +151,9 @@ std::strong_ordering compare(const ExactPosition& p, const ExactPosition& q) {
 }  // namespace integers
 
 }  // namespace waywright::exact
+
+namespace waywright {
+
+PredicateCounts predicate_counts() { return exact::counts; }
+
+}  // namespace waywright

@@ -6,12 +6,10 @@
 #include <initializer_list>
 #include <type_traits>
 
-#include "exact/bounded.hpp"
+#include "exact/doubles.hpp"
+#include "exact/error_bounds.hpp"
 #include "exact/gap.hpp"
 #include "exact/homogeneous.hpp"
-#include "exact/integer.hpp"
-#include "exact/power_of_two.hpp"
-#include "exact/stack_integer.hpp"
 
 namespace waywright::exact {
 

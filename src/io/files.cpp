@@ -20,7 +20,7 @@
 #include "waywright/scene.hpp"
 #include "waywright/script.hpp"
 
-#include "base/disk.hpp"
+#include "base/system.hpp"
 #include "io/triangle.hpp"
 #include "text/file_types.hpp"
 #include "text/text.hpp"

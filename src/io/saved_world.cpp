@@ -14,7 +14,7 @@
 
 #include "waywright/save.hpp"
 
-#include "base/bit_cast.hpp"
+#include "base/compiler.hpp"
 #include "io/crc32c.hpp"
 #include "text/file_types.hpp"
 #include "text/text.hpp"

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cstring>
+#include <new>
 #include <utility>
 
-#include "memory/zeroed_memory.hpp"
+#include "memory/scratch.hpp"
 
 namespace waywright::memory {
 
@@ -14,6 +15,18 @@ namespace {
 thread_local Arena* arena_of_thread = nullptr;
 
 }  // namespace
+
+void* try_allocate(std::size_t bytes) noexcept {
+#if defined(__cpp_exceptions)
+  try {
+    return ::operator new(bytes);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+#else
+  return ::operator new(bytes);
+#endif
+}
 
 std::unique_ptr<Arena> Arena::make(std::size_t size) {
   if (!base::kHasPageFiles || !may_map_pages()) return nullptr;

@@ -6,9 +6,14 @@
 #include <optional>
 #include <utility>
 
-#include "base/page_file.hpp"
+#include "base/system.hpp"
 
 namespace waywright::memory {
+
+/// Returns memory from `operator new`, or null if there is not enough. In code that is compiled without exceptions, the
+/// program ends instead. (A program may have replaced `operator new` without the form that returns null, so the
+/// function does not use this form.)
+[[nodiscard]] void* try_allocate(std::size_t bytes) noexcept;
 
 /// Memory for the arrays (Array, Pages) of a large object. There are two kinds. make() makes an arena for an object
 /// that never changes again, the *base*. share() makes an arena for a copy of the base. The two share pages of memory:

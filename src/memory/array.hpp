@@ -15,11 +15,6 @@
 
 namespace waywright::memory {
 
-/// Returns memory from `operator new`, or null if there is not enough. In code that is compiled without exceptions, the
-/// program ends instead. (A program may have replaced `operator new` without the form that returns null, so the
-/// function does not use this form.)
-[[nodiscard]] void* try_allocate(std::size_t bytes) noexcept;
-
 /// An array that can grow, as std::vector, for values without destructors. Use it for the large arrays of a world: if
 /// an ArenaScope exists, the copy constructor makes the copy in an arena, so that it can share pages with the original.
 /// An array in an arena has some spare capacity. If it outgrows this, it moves to memory of its own.

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "waywright/memory_use.hpp"
 
+#include "memory/array.hpp"
 #include "memory/count.hpp"
 
 namespace waywright::memory {
@@ -43,6 +46,80 @@ class Journal {
 
  private:
   std::vector<Undo> records_;
+};
+
+/// An array with an undo log: roll_back() takes back each write() and append() of an operation. One operation must not
+/// use both append() and grow_to() on the same array.
+///
+///     array.begin();                // the operation starts
+///     array.write(3, value);
+///     array.append(value);
+///     array.roll_back();            // both are undone
+template <class Value>
+class JournaledArray {
+ public:
+  JournaledArray() = default;
+  explicit JournaledArray(Array<Value>&& values) : values_(std::move(values)), size_before_(values_.size()) {}
+
+  [[nodiscard]] std::size_t size() const { return values_.size(); }
+  [[nodiscard]] const Value& operator[](std::size_t i) const { return values_[i]; }
+
+  void write(std::uint32_t i, const Value& value) {
+    journal_.add({i, values_[i]});
+    values_[i] = value;
+  }
+  void append(const Value& value) { values_.push_back(value); }
+
+  /// Makes room for `count` elements.
+  void reserve(std::size_t count) { values_.reserve(count); }
+
+  // The next two functions make changes that roll_back() does not take back.
+
+  /// Makes the array at least `size` long. New elements are copies of `value`.
+  void grow_to(std::size_t size, const Value& value) {
+    if (values_.size() >= size) return;
+    values_.resize(size, value);
+    size_before_ = size;
+  }
+  /// Returns an element, so that the caller can change it without a record.
+  [[nodiscard]] Value& unrecorded(std::size_t i) { return values_[i]; }
+
+  void begin() {
+    journal_.begin();
+    size_before_ = values_.size();
+  }
+  /// Takes back every write() and append() since begin(). Allocates nothing.
+  void roll_back() {
+    journal_.roll_back([&](const Undo& undo) { values_[undo.i] = undo.value; });
+    values_.resize(size_before_);
+  }
+  /// Calls visit(i) for each write(i, ...) since begin(), the oldest first.
+  template <class Visit>
+  void for_each_written(Visit&& visit) const {
+    journal_.for_each([&](const Undo& undo) { visit(undo.i); });
+  }
+
+  void count_memory(MemoryUse& use, std::size_t MemoryUse::*part) const {
+    count(use, part, values_);
+    journal_.count_memory(use);
+  }
+  /// Frees the memory of the records. Requires: nothing has changed since begin().
+  void release_records() { journal_.release(); }
+  /// Frees spare memory and the memory of the records. Requires: nothing has changed since begin().
+  void shrink_to_fit() {
+    shrink(values_);
+    journal_.release();
+  }
+
+ private:
+  struct Undo {
+    std::uint32_t i;
+    Value value;
+  };
+
+  Array<Value> values_;
+  std::size_t size_before_ = 0;
+  Journal<Undo> journal_;
 };
 
 }  // namespace waywright::memory

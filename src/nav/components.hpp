@@ -13,7 +13,7 @@
 #include "base/compiler.hpp"
 #include "constraint/constrained_triangulation.hpp"
 #include "memory/free_list.hpp"
-#include "memory/journaled_array.hpp"
+#include "memory/journal.hpp"
 #include "nav/cover_tree.hpp"
 
 namespace waywright::nav {

@@ -8,7 +8,6 @@
 
 #include "memory/free_list.hpp"
 #include "memory/journal.hpp"
-#include "memory/journaled_array.hpp"
 #include "memory/pages.hpp"
 
 namespace waywright::nav {

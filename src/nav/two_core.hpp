@@ -14,7 +14,7 @@
 #include "base/compiler.hpp"
 #include "constraint/constrained_triangulation.hpp"
 #include "memory/count.hpp"
-#include "memory/journaled_array.hpp"
+#include "memory/journal.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace waywright::nav {

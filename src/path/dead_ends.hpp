@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "memory/stamp.hpp"
-#include "memory/zeroed_array.hpp"
+#include "memory/scratch.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "nav/point_agent.hpp"
 #include "nav/two_core.hpp"

@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "memory/stamp.hpp"
-#include "memory/zeroed_array.hpp"
+#include "memory/scratch.hpp"
 #include "path/channel_node.hpp"
 #include "path/disc_ends.hpp"
 #include "path/disc_map.hpp"

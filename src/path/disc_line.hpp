@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "memory/stamp.hpp"
-#include "memory/zeroed_array.hpp"
+#include "memory/scratch.hpp"
 #include "path/disc_map.hpp"
 #include "path/tangent.hpp"
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
+#include "exact/doubles.hpp"
 #include "exact/filter.hpp"
 #include "exact/nearest_on_segment.hpp"
-#include "exact/next_coordinate.hpp"
 #include "nav/point_agent.hpp"
 #include "path/distance.hpp"
 

@@ -11,7 +11,7 @@
 #include "constraint/cover_finder.hpp"
 #include "locate/walk.hpp"
 #include "memory/pages.hpp"
-#include "memory/stamp.hpp"
+#include "memory/scratch.hpp"
 #include "nav/components.hpp"
 
 namespace waywright::path {

@@ -7,8 +7,7 @@
 #include <limits>
 #include <span>
 
-#include "memory/stamp.hpp"
-#include "memory/zeroed_array.hpp"
+#include "memory/scratch.hpp"
 #include "path/dead_ends.hpp"
 #include "path/disc_map.hpp"
 

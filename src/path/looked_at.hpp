@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "memory/pages.hpp"
-#include "memory/stamp.hpp"
+#include "memory/scratch.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace waywright::path {

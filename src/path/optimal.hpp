@@ -10,8 +10,7 @@
 #include "waywright/path.hpp"
 #include "waywright/search_window.hpp"
 
-#include "memory/stamp.hpp"
-#include "memory/zeroed_array.hpp"
+#include "memory/scratch.hpp"
 #include "nav/abstraction.hpp"
 #include "nav/point_agent.hpp"
 #include "path/guide_distances.hpp"

@@ -6,8 +6,7 @@
 
 #include "waywright/path.hpp"
 
-#include "memory/stamp.hpp"
-#include "memory/zeroed_array.hpp"
+#include "memory/scratch.hpp"
 #include "path/looked_at.hpp"
 #include "path/open_list.hpp"
 #include "path/point_ends.hpp"

@@ -7,7 +7,7 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
-#include "exact/twofold.hpp"
+#include "exact/doubles.hpp"
 
 // Tangents to circles, and angles, in doubles. They use only operations that IEEE 754 rounds correctly (also the square
 // root), never the functions of the C library, whose results differ between machines.

@@ -5,8 +5,7 @@
 
 #include "waywright/path.hpp"
 
-#include "memory/stamp.hpp"
-#include "memory/zeroed_array.hpp"
+#include "memory/scratch.hpp"
 #include "nav/abstraction.hpp"
 #include "path/channel_node.hpp"
 #include "path/open_list.hpp"

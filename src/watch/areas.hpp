@@ -11,7 +11,7 @@
 #include "clearance/cells.hpp"
 #include "constraint/constrained_triangulation.hpp"
 #include "exact/gap.hpp"
-#include "memory/zeroed_array.hpp"
+#include "memory/scratch.hpp"
 #include "nav/point_agent.hpp"
 
 namespace waywright::watch {

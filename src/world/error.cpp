@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/float_environment.hpp"
-#include "exact/exact_position.hpp"
+#include "exact/position.hpp"
 #include "text/text.hpp"
 
 namespace waywright {

@@ -9,8 +9,8 @@
 
 #include "base/float_environment.hpp"
 #include "base/ieee.hpp"
-#include "exact/exact_position.hpp"
-#include "exact/next_coordinate.hpp"
+#include "exact/doubles.hpp"
+#include "exact/position.hpp"
 #include "exact/predicates.hpp"
 #include "path/distance.hpp"
 #include "path/pieces.hpp"

@@ -6,7 +6,7 @@
 #include "waywright/error.hpp"
 #include "waywright/point.hpp"
 
-#include "exact/exact_position.hpp"
+#include "exact/position.hpp"
 
 namespace waywright {
 

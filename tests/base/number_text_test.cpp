@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/bit_cast.hpp"
+#include "base/compiler.hpp"
 #include "support/case_count.hpp"
 #include "support/random.hpp"
 

@@ -8,7 +8,7 @@
 #include "waywright/path.hpp"
 #include "waywright/world.hpp"
 
-#include "base/bit_cast.hpp"
+#include "base/compiler.hpp"
 #include "support/live_items.hpp"
 #include "support/random.hpp"
 #include "support/random_changes.hpp"

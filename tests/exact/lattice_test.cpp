@@ -1,5 +1,3 @@
-#include "exact/lattice.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -308,7 +306,7 @@ Widths worst_widths(int bits) {
   return worst;
 }
 
-// For differences of up to 2^b, lattice.hpp allows denominators of 2 b + 1 bits, coordinates of 3 b + 2 bits, and
+// For differences of up to 2^b, predicates.hpp allows denominators of 2 b + 1 bits, coordinates of 3 b + 2 bits, and
 // determinants of 8 b + 8 and 20 b + 18 bits.
 TEST(LatticeStage, KeepsWithinItsBits) {
   for (const int bits : {30, 53}) {

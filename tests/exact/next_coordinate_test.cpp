@@ -1,6 +1,6 @@
-#include "exact/next_coordinate.hpp"
-
 #include <gtest/gtest.h>
+
+#include "exact/doubles.hpp"
 
 namespace waywright::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "exact/crossing.hpp"
-#include "exact/exact_position.hpp"
+#include "exact/position.hpp"
 #include "exact/rational.hpp"
 #include "support/random.hpp"
 

@@ -2,8 +2,7 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include "exact/exact_position.hpp"
-#include "exact/sign.hpp"
+#include "exact/position.hpp"
 
 /// Plain rationals and the textbook formulas. Tests compare the predicates with them.
 namespace waywright::test {

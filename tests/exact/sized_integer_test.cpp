@@ -1,5 +1,3 @@
-#include "exact/sized_integer.hpp"
-
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -7,7 +5,8 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
 
-#include "exact/integer.hpp"
+#include "exact/homogeneous.hpp"
+#include "exact/wide_integer.hpp"
 
 namespace waywright::test {
 

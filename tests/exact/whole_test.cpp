@@ -1,8 +1,8 @@
-#include "exact/whole.hpp"
-
 #include <limits>
 
 #include <gtest/gtest.h>
+
+#include "exact/doubles.hpp"
 
 namespace waywright::test {
 namespace {

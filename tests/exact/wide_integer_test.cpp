@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "exact/integer.hpp"
+#include "exact/homogeneous.hpp"
 #include "support/random.hpp"
 
 namespace waywright::test {

@@ -6,8 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "memory/free_list.hpp"
-#include "memory/journaled_array.hpp"
-#include "memory/stamp.hpp"
+#include "memory/scratch.hpp"
 #include "support/random.hpp"
 
 namespace waywright::test {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/bit_cast.hpp"
+#include "base/compiler.hpp"
 #include "support/random_changes.hpp"
 
 namespace waywright::test {

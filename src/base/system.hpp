@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <optional>
 #include <utility>
+
+// What the library asks of the operating system beyond the standard library.
 
 namespace waywright::base {
 
@@ -49,5 +52,12 @@ class PageFile {
   std::size_t size_;
   int descriptor_;
 };
+
+/// Waits until the contents of an open file are on the disk. Returns false and sets errno if this fails. Files for
+/// which the system has no such function count as written. Requires: the file's buffer is empty (std::fflush).
+[[nodiscard]] bool bring_to_disk(std::FILE* file);
+
+/// Waits until the names in a folder are on the disk, if the system has a function for this. Ignores failures.
+void bring_folder_to_disk(const char* folder);
 
 }  // namespace waywright::base

@@ -1,4 +1,4 @@
-#include "memory/zeroed_memory.hpp"
+#include "memory/scratch.hpp"
 
 #include <cstdlib>
 

@@ -1,12 +1,16 @@
-#include "base/page_file.hpp"
+#include "base/system.hpp"
 
-#if defined(__linux__)
+#if defined(_WIN32)
+#include <io.h>
+#else
 #include <cerrno>
 #include <fcntl.h>
+#include <unistd.h>
+#endif
+#if defined(__linux__)
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
-#include <unistd.h>
 #endif
 
 namespace waywright::base {
@@ -72,6 +76,27 @@ bool PageFile::reserve(std::size_t /*start*/, std::size_t /*size*/) const noexce
 std::byte* PageFile::map() const noexcept { return nullptr; }
 std::byte* PageFile::map_copy() const noexcept { return nullptr; }
 void PageFile::unmap(std::byte* /*address*/, std::size_t /*size*/) noexcept {}
+
+#endif
+
+#if defined(_WIN32)
+
+bool bring_to_disk(std::FILE* file) { return ::_commit(::_fileno(file)) == 0; }
+
+void bring_folder_to_disk(const char* /*folder*/) {}
+
+#else
+
+bool bring_to_disk(std::FILE* file) {
+  return ::fsync(::fileno(file)) == 0 || errno == EINVAL || errno == ENOTSUP || errno == ENOSYS;
+}
+
+void bring_folder_to_disk(const char* folder) {
+  const int descriptor = ::open(folder, O_RDONLY);
+  if (descriptor < 0) return;
+  static_cast<void>(::fsync(descriptor));
+  ::close(descriptor);
+}
 
 #endif
 

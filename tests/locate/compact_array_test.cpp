@@ -1,17 +1,16 @@
-#include "memory/compact_array.hpp"
-
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "locate/sectors.hpp"
 #include "support/random.hpp"
 
 namespace waywright::test {
 namespace {
 
-using memory::CompactArray;
+using locate::CompactArray;
 
 void expect_equal(const CompactArray& array, const std::vector<std::uint32_t>& expected) {
   ASSERT_EQ(array.size(), expected.size());

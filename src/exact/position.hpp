@@ -1,10 +1,28 @@
 #pragma once
 
+#include <compare>
+
 #include "waywright/point.hpp"
+#include "waywright/predicate_counts.hpp"
 
 #include "base/ieee.hpp"
 
+// What the predicates take and return: positions and signs. And the counters of their stages.
+
 namespace waywright::exact {
+
+enum class Sign : signed char { negative = -1, zero = 0, positive = 1 };
+
+template <class Number>
+[[nodiscard]] constexpr Sign sign_of(const Number& value) {
+  return value > 0 ? Sign::positive : value < 0 ? Sign::negative : Sign::zero;
+}
+
+[[nodiscard]] constexpr Sign operator-(Sign sign) { return static_cast<Sign>(-static_cast<signed char>(sign)); }
+
+[[nodiscard]] constexpr std::strong_ordering order_of(Sign sign) {
+  return static_cast<signed char>(sign) <=> static_cast<signed char>(0);
+}
 
 /// Two points. They define the line through them.
 struct PointPair {
@@ -53,5 +71,9 @@ struct ExactPosition {
 };
 
 [[nodiscard]] inline ExactPosition explicit_position(const Point& point) { return {point.x, point.y}; }
+
+/// The counters of the calling thread. They always count, and no answer depends on them. Each thread has its own, so
+/// concurrent queries do not write to memory that another thread reads.
+inline constinit thread_local PredicateCounts counts{};
 
 }  // namespace waywright::exact

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -9,9 +10,20 @@
 #include <type_traits>
 #include <utility>
 
-#include "memory/zeroed_memory.hpp"
-
 namespace waywright::memory {
+
+/// Returns memory for `count` values of `size` bytes each, as std::calloc does: all bits are zero, and null if there is
+/// not enough memory.
+///
+/// These three functions have a source file of their own. So a program that links the static library can
+/// replace all of them, as it can replace `operator new`. The library for C programs (`bindings/c`) does this for its
+/// allocator hooks.
+[[nodiscard]] void* allocate_zeroed(std::size_t count, std::size_t size) noexcept;
+/// Frees memory that allocate_zeroed() has returned, or does nothing for null.
+void free_zeroed(void* memory) noexcept;
+
+/// Returns whether the library may map pages (Arena), which take memory directly from the operating system.
+[[nodiscard]] bool may_map_pages() noexcept;
 
 /// An array that can grow. All bits of a new value are zero, but unlike std::vector the array does not write them: the
 /// operating system provides large blocks of memory as zeros, and assigns physical memory to an address only when the
@@ -67,6 +79,29 @@ class ZeroedArray {
 
   std::unique_ptr<Value, Free> values_;
   std::size_t size_ = 0;
+};
+
+/// Gives each search a number. A search writes its number into the array entries that it uses. An entry with another
+/// number is from an earlier search and counts as empty. So the arrays need not be cleared between searches. This class
+/// clears them only when the numbers run out.
+class Stamp {
+ public:
+  [[nodiscard]] std::uint32_t value() const { return value_; }
+
+  /// Starts a search: its number is the last number plus `step`. If the numbers run out, calls clear() on each array
+  /// and starts again with `step`. If `step` is a power of two, an entry can also contain other data, in the bits below
+  /// `step`.
+  template <class... Arrays>
+  void next(std::uint32_t step, Arrays&... arrays) {
+    if (value_ > std::numeric_limits<std::uint32_t>::max() - step) [[unlikely]] {
+      (arrays.clear(), ...);
+      value_ = 0;
+    }
+    value_ += step;
+  }
+
+ private:
+  std::uint32_t value_ = 0;
 };
 
 }  // namespace waywright::memory

@@ -1,7 +1,0 @@
-#include "exact/counts.hpp"
-
-namespace waywright {
-
-PredicateCounts predicate_counts() { return exact::counts; }
-
-}  // namespace waywright
