@@ -36,7 +36,7 @@ if(NOT WAYWRIGHT_STANDARD_WRITES_DOUBLES)
   list(APPEND waywright_number_includes ${WAYWRIGHT_FMT_INCLUDE_DIR})
 endif()
 
-# For targets that include base/number_text.hpp.
+# For targets that compile base/number_text.cpp.
 function(waywright_use_number_text target)
   target_compile_definitions(${target} PRIVATE ${waywright_number_definitions})
   target_include_directories(${target} SYSTEM PRIVATE ${waywright_number_includes})

@@ -4,7 +4,8 @@
 usage: check_layers.py [ROOT]
 
 Prints `FILE:LINE: what is wrong` for each such include and exits 1; exits 0 when there is none. A room is a folder. The
-table ROOMS says for each room what it may include, without exceptions.
+table ROOMS says for each room what it may include, without exceptions. The table PUBLIC_HEADERS says to which room
+a public header belongs.
 """
 
 import re
@@ -12,24 +13,58 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-# Public headers of single value types. The other public headers need the whole library.
-VALUES = frozenset({"point.hpp", "id.hpp", "error.hpp", "memory_use.hpp"})
+# The public headers by the room to which they belong. Each room may include the public headers of the rooms that it may
+# include, unless ROOMS says otherwise. waywright.hpp belongs to no room.
+PUBLIC_HEADERS = {
+    "values": {
+        "agent",
+        "assert",
+        "error",
+        "export",
+        "hashes",
+        "id",
+        "item",
+        "location",
+        "memory_use",
+        "mesh_snapshot",
+        "point",
+        "version",
+    },
+    "threads": {"job_system"},
+    "exact": {"predicate_counts"},
+    "clearance": {"clearance"},
+    "path": {"path"},
+    "world": {
+        "change",
+        "owned",
+        "path_search",
+        "query_context",
+        "world",
+        "world_options",
+        "world_snapshot",
+    },
+    "watch": {"path_watch"},
+    "io": {"replay", "save", "scenario", "scene", "script"},
+    "svg": {"svg"},
+}
+HOME = {f"{header}.hpp": room for room, headers in PUBLIC_HEADERS.items() for header in headers}
 ALL = None  # every public header, or any library
+OF_ITS_ROOMS = "of its rooms"
 
 
 @dataclass(frozen=True)
 class Room:
     rooms: frozenset  # the rooms that it may include besides itself
-    public: frozenset = frozenset()  # the public headers that it may include; ALL for any
+    public: object = OF_ITS_ROOMS  # the public headers that it may include: those of its rooms and its own, ALL, or a set
     libraries: tuple = ()  # prefixes of permitted <> headers besides the standard library; ALL for any
 
 
-def room(rooms, public=frozenset(), libraries=()):
-    return Room(frozenset(rooms), None if public is ALL else frozenset(public), libraries)
+def room(rooms, public=OF_ITS_ROOMS, libraries=()):
+    return Room(frozenset(rooms), frozenset(public) if isinstance(public, set) else public, libraries)
 
 
 BOOST = ("boost/",)
-NUMBERS = {"base", "memory"}
+NUMBERS = {"base", "values", "memory"}
 TRIANGULATION = NUMBERS | {"threads", "exact", "mesh", "locate", "delaunay"}
 NAVIGATION = TRIANGULATION | {"constraint"}
 WORLD = NAVIGATION | {"text", "clearance", "nav", "path"}
@@ -38,17 +73,18 @@ WORLD = NAVIGATION | {"text", "clearance", "nav", "path"}
 ROOMS = {
     "include/waywright": room([], ALL),
     "src/base": room([], libraries=ALL),
-    "src/memory": room(["base"], {"memory_use.hpp"}),
-    "src/text": room(["base"], VALUES),
-    "src/threads": room(["base"], {"job_system.hpp"}),
-    "src/exact": room(NUMBERS, VALUES | {"predicate_counts.hpp"}, BOOST),
+    "src/values": room(["base"]),
+    "src/memory": room(["base", "values"], {"memory_use.hpp"}),
+    "src/text": room(["base", "values"]),
+    "src/threads": room(["base", "values"]),
+    "src/exact": room(NUMBERS, libraries=BOOST),
     "src/mesh": room(NUMBERS, {"id.hpp", "error.hpp", "memory_use.hpp"}),
-    "src/locate": room(NUMBERS | {"threads", "exact", "mesh"}, VALUES),
-    "src/delaunay": room(TRIANGULATION - {"delaunay"}, VALUES),
-    "src/constraint": room(TRIANGULATION | {"text"}, VALUES | {"item.hpp", "mesh_snapshot.hpp", "ray.hpp"}),
-    "src/clearance": room(NAVIGATION, VALUES | {"item.hpp", "bridges.hpp", "clearance.hpp"}),
-    "src/nav": room(NAVIGATION, VALUES | {"item.hpp"}),
-    "src/path": room(NAVIGATION | {"clearance", "nav"}, VALUES | {"item.hpp", "clearance.hpp", "path.hpp", "search_window.hpp"}),
+    "src/locate": room(NUMBERS | {"threads", "exact", "mesh"}),
+    "src/delaunay": room(TRIANGULATION - {"delaunay"}),
+    "src/constraint": room(TRIANGULATION | {"text"}),
+    "src/clearance": room(NAVIGATION),
+    "src/nav": room(NAVIGATION),
+    "src/path": room(NAVIGATION | {"clearance", "nav"}),
     "src/world": room(WORLD, ALL),
     "src/watch": room(WORLD | {"world"}, ALL),
     "src/io": room(["base", "text"], ALL),
@@ -118,11 +154,13 @@ class Checker:
         if there is None:
             return f"'{path}' is in no room that this check knows"
         if there == "include/waywright":
-            allowed = ROOMS[here].public
-            if allowed is not None and target.name not in allowed:
+            if not self.knows(here, target.name):
                 return f"{here} does not know waywright/{target.name}"
             if here == there:
                 self.edges.setdefault(file, set()).add(target)
+                home, other = HOME.get(file.name), HOME.get(target.name)
+                if home is not None and other not in {home} | ROOMS[f"src/{home}"].rooms and not self.knows_all(home):
+                    return f"waywright/{file.name} belongs to {home}, which does not know waywright/{target.name}"
             return None
         if not quoted:
             return f"<{path}>: write the project's own headers between quotes"
@@ -131,6 +169,18 @@ class Checker:
         if there == here and file.suffix in HEADERS and target.suffix in HEADERS:
             self.edges.setdefault(file, set()).add(target)
         return None
+
+    @staticmethod
+    def knows_all(home):
+        return ROOMS[f"src/{home}"].public is ALL
+
+    @staticmethod
+    def knows(here, header):
+        """Returns whether a file of the room `here` may include a public header."""
+        public = ROOMS[here].public
+        if public != OF_ITS_ROOMS:
+            return public is ALL or header in public
+        return HOME.get(header) in ROOMS[here].rooms | {Path(here).name}
 
     def library_fault(self, here, path, quoted):
         if quoted:

@@ -59,7 +59,7 @@ RULES = [
         {"tests/support/disc_oracle_paths.cpp"},  # takes its tolerance from the number of digits
     ),
     Rule(r"(?<!long )\blong\b(?!\s+(?:long|double))", "differs in size between targets; use std::int64_t or std::ptrdiff_t"),
-    Rule(r"\bchars_format\b", "belongs in src/base/number_text.hpp", {"src/base/number_text.hpp"}),
+    Rule(r"\bchars_format\b", "belongs in src/base/number_text.cpp", {"src/base/number_text.cpp"}),
     Rule(r"std::bit_cast\b", "is missing in libc++ 13; use base::bit_cast", {"src/base/compiler.hpp"}),
     Rule(r"std::(?:ranges|views)::", "is missing in libc++ 14; use the algorithms of C++17"),
     Rule(

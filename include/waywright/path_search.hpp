@@ -7,7 +7,6 @@
 #include "waywright/export.hpp"
 #include "waywright/owned.hpp"
 #include "waywright/path.hpp"
-#include "waywright/search_window.hpp"
 
 namespace waywright {
 

@@ -7,9 +7,9 @@
 
 #include "waywright/error.hpp"
 #include "waywright/export.hpp"
+#include "waywright/location.hpp"
 #include "waywright/path.hpp"
 #include "waywright/point.hpp"
-#include "waywright/ray.hpp"
 #include "waywright/world.hpp"
 
 namespace waywright {

@@ -12,11 +12,7 @@
 #include <vector>
 
 #include "waywright/agent.hpp"
-#include "waywright/attempt.hpp"
-#include "waywright/bridges.hpp"
-#include "waywright/bulk_options.hpp"
 #include "waywright/change.hpp"
-#include "waywright/changed_box.hpp"
 #include "waywright/clearance.hpp"
 #include "waywright/error.hpp"
 #include "waywright/export.hpp"
@@ -31,8 +27,6 @@
 #include "waywright/path.hpp"
 #include "waywright/point.hpp"
 #include "waywright/query_context.hpp"
-#include "waywright/ray.hpp"
-#include "waywright/validation.hpp"
 #include "waywright/world_options.hpp"
 #include "waywright/world_snapshot.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "waywright/bridges.hpp"
+#include "waywright/clearance.hpp"
 
 #include "clearance/bridge_finder.hpp"
 #include "clearance/bridges.hpp"

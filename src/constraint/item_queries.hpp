@@ -5,8 +5,8 @@
 
 #include "waywright/id.hpp"
 #include "waywright/item.hpp"
+#include "waywright/location.hpp"
 #include "waywright/point.hpp"
-#include "waywright/ray.hpp"
 
 #include "constraint/constrained_triangulation.hpp"
 #include "constraint/cover_finder.hpp"

@@ -20,6 +20,7 @@
 #include "waywright/scene.hpp"
 #include "waywright/script.hpp"
 
+#include "base/number_text.hpp"
 #include "base/system.hpp"
 #include "io/triangle.hpp"
 #include "text/file_types.hpp"
@@ -119,7 +120,7 @@ FileReplacement::FileReplacement(const std::string& file_name) : name_(file_name
   constexpr std::size_t kLongestStem = 200;  // file systems allow names of 255 bytes
   const std::string stem = target_.filename().string().substr(0, kLongestStem);
   for (std::uint64_t attempt = 0; file_ == nullptr; ++attempt) {
-    temporary_ = (target_.parent_path() / text::with_number(stem + ".tmp", attempt, "")).string();
+    temporary_ = (target_.parent_path() / base::with_number(stem + ".tmp", attempt, "")).string();
     errno = 0;
     file_ = std::fopen(temporary_.c_str(), "wbx");
     if (file_ != nullptr || errno == EEXIST) continue;

@@ -13,6 +13,7 @@
 #include "waywright/scene.hpp"
 
 #include "base/float_environment.hpp"
+#include "base/number_text.hpp"
 #include "text/text.hpp"
 
 namespace waywright {
@@ -94,22 +95,22 @@ bool MapReader::read_row(std::string_view row) {
     return fail("tiles out of '.GS@OTW'", text::in_quotes(row.substr(unknown, 1)));
   }
   if (row.size() == width_) return true;
-  return fail(text::with_number("a row of ", width_, " tiles"), text::with_number("", row.size(), ""));
+  return fail(base::with_number("a row of ", width_, " tiles"), base::with_number("", row.size(), ""));
 }
 
 bool MapReader::read_rows() {
   std::string_view line;
   while (rows_.size() < height_) {
     if (!lines_.next(line)) {
-      return fail(text::with_number("", height_, " rows"),
-                  text::with_number("the end of the text after ", rows_.size(), ""));
+      return fail(base::with_number("", height_, " rows"),
+                  base::with_number("the end of the text after ", rows_.size(), ""));
     }
     if (!read_row(line)) return false;
     rows_.push_back(line);
   }
   while (lines_.next(line)) {
     if (!text::WordReader(line).at_end()) {
-      return fail(text::with_number("the end of the text after ", height_, " rows"), text::in_quotes(line));
+      return fail(base::with_number("the end of the text after ", height_, " rows"), text::in_quotes(line));
     }
   }
   return true;
@@ -329,7 +330,7 @@ bool ScenarioParser::number(std::string_view field, std::string_view word, doubl
 
 bool ScenarioParser::read_query(const std::vector<std::string_view>& fields) {
   if (fields.size() != kFields) {
-    return fail(text::with_number(
+    return fail(base::with_number(
         "expected 9 fields (bucket, map, width, height, start x, start y, goal x, goal y, length), found ",
         fields.size(), ""));
   }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/float_environment.hpp"
+#include "base/number_text.hpp"
 #include "io/script.hpp"
-#include "text/text.hpp"
 
 namespace waywright {
 namespace {
@@ -269,7 +269,7 @@ Result<void> ReplayWriter::record(std::span<const Change> changes, std::span<con
   for (std::size_t i = 0; i < changes.size(); ++i) {
     if (ids[i].is_null() || ids[i].value > ItemId::kLargest) return Error{ErrorCode::bad_id, {}, ids[i], i};
     if (changes[i].kind == Change::Kind::remove) {
-      text_ += text::with_number("remove ", ids[i].value, "\n");
+      text_ += base::with_number("remove ", ids[i].value, "\n");
       continue;
     }
     if (changes[i].kind == Change::Kind::replace) text_ += "replace ";
@@ -282,7 +282,7 @@ Result<void> ReplayWriter::tick(const World& world) { return tick(world.items_ha
 
 Result<void> ReplayWriter::tick(const ItemsHash& hash) {
   const std::uint64_t tick = tick_ + 1;
-  text_ = text::with_number("tick ", tick, "");
+  text_ = base::with_number("tick ", tick, "");
   const bool has_hash = tick % ticks_per_hash_ == 0;
   if (has_hash) text_ += " " + to_string(hash);
   text_ += '\n';

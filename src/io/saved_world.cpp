@@ -15,6 +15,7 @@
 #include "waywright/save.hpp"
 
 #include "base/compiler.hpp"
+#include "base/number_text.hpp"
 #include "io/crc32c.hpp"
 #include "text/file_types.hpp"
 #include "text/text.hpp"
@@ -313,7 +314,7 @@ class WorldReader {
 
   /// Stores an error. Returns false.
   bool fail(ErrorCode code, std::string_view what) {
-    std::string message = text::with_number("byte ", offset_, ": ");
+    std::string message = base::with_number("byte ", offset_, ": ");
     message += what;
     error_ = Error{.code = code, .words = std::move(message), .item = {}, .index = offset_};
     return false;
@@ -432,7 +433,7 @@ bool WorldReader::read_header() {
   std::uint64_t version = 0;
   if (!read_fixed(version, 2)) return false;
   if (version != kSavedWorldVersion) {
-    const std::string what = text::with_number("the saved world has version ", version, " of the format");
+    const std::string what = base::with_number("the saved world has version ", version, " of the format");
     return fail(ErrorCode::not_supported, what + "; this version of Waywright reads version 1");
   }
   return read_point(domain_.min) && read_point(domain_.max) && read_options() && read_fixed(largest_id_seen_, 8) &&

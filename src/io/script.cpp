@@ -12,6 +12,7 @@
 #include "waywright/scene.hpp"
 
 #include "base/float_environment.hpp"
+#include "base/number_text.hpp"
 #include "io/script.hpp"
 #include "text/text.hpp"
 
@@ -210,9 +211,9 @@ bool ScriptParser::read_domain() {
   }
   const auto check = [this](double low, double high) {
     std::string found;
-    text::append_number(found, high);
+    base::append_number(found, high);
     std::string expected = "a number above ";
-    text::append_number(expected, low);
+    base::append_number(expected, low);
     return low < high || fail(expected, found);
   };
   if (!check(box.min.x, box.max.x) || !check(box.min.y, box.max.y)) return false;
@@ -492,16 +493,16 @@ namespace {
 
 void append_coordinates(std::string& out, Point point) {
   out += ' ';
-  text::append_number(out, point.x);
+  base::append_number(out, point.x);
   out += ' ';
-  text::append_number(out, point.y);
+  base::append_number(out, point.y);
 }
 
 /// Appends the points of a ring. Writes their number before them if `with_count` is true.
 void append_ring(std::string& out, PointSpan ring, bool with_count) {
   if (with_count) {
     out += ' ';
-    text::append_unsigned(out, ring.size());
+    base::append_unsigned(out, ring.size());
   }
   for (const Point point : ring) append_coordinates(out, point);
 }
@@ -513,7 +514,7 @@ void io::append_item(std::string& out, ItemId id, const Shape& shape) {
   const bool with_count = kind == ItemKind::polyline || kind == ItemKind::polygon;
   out += to_string(kind);
   out += ' ';
-  text::append_unsigned(out, id.value);
+  base::append_unsigned(out, id.value);
   if (kind == ItemKind::polygon && shape.fill == FillRule::nonzero) {
     out += ' ';
     out += to_string(FillRule::nonzero);

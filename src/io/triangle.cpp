@@ -13,6 +13,7 @@
 
 #include "base/domain_bounds.hpp"
 #include "base/float_environment.hpp"
+#include "base/number_text.hpp"
 #include "text/text.hpp"
 
 namespace waywright {
@@ -103,7 +104,7 @@ bool SectionReader::optional_integer(std::string_view expected, std::uint64_t la
   value = 0;
   if (words_.at_end()) return true;
   if (!integer(expected, value)) return false;
-  return value <= largest || fail(expected, text::with_number("", value, ""));
+  return value <= largest || fail(expected, base::with_number("", value, ""));
 }
 
 bool SectionReader::coordinates(Point& point) {
@@ -145,12 +146,12 @@ bool SectionReader::section(std::string_view counted, std::uint64_t& count) {
 
 bool SectionReader::entry(std::string_view kind, std::uint64_t index, std::uint64_t& first_id) {
   std::string expected(kind);
-  expected += index == 0 ? std::string(" 0 or 1") : text::with_number(" ", first_id + index, "");
+  expected += index == 0 ? std::string(" 0 or 1") : base::with_number(" ", first_id + index, "");
   if (!next_line()) return fail(expected, "the end of the text");
   std::uint64_t id = 0;
   if (!integer(expected, id)) return false;
   if (index == 0) first_id = std::min<std::uint64_t>(id, 1);
-  return id == first_id + index || fail(expected, text::with_number("", id, ""));
+  return id == first_id + index || fail(expected, base::with_number("", id, ""));
 }
 
 bool SectionReader::vertices(VertexList& list) {
@@ -160,7 +161,7 @@ bool SectionReader::vertices(VertexList& list) {
   std::uint64_t markers = 0;
   if (!section("vertices", count)) return false;
   if (!words_.at_end() && !integer("dimension 2", dimension)) return false;
-  if (dimension != 2) return fail("dimension 2", text::with_number("", dimension, ""));
+  if (dimension != 2) return fail("dimension 2", base::with_number("", dimension, ""));
   if (!optional_integer("the number of attributes", UINT64_MAX, attributes) ||
       !optional_integer("0 or 1 boundary markers", 1, markers) || !end_of_line()) {
     return false;
@@ -193,7 +194,7 @@ bool SectionReader::segments(const VertexList& list, std::vector<Ends>& segments
       std::uint64_t id = 0;
       if (!integer(kExpected, id)) return false;
       if (id < list.first_id || id - list.first_id >= list.points.size()) {
-        return fail(kExpected, text::with_number("", id, ", which no vertex has"));
+        return fail(kExpected, base::with_number("", id, ", which no vertex has"));
       }
       end = static_cast<std::size_t>(id - list.first_id);
     }

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "waywright/path.hpp"
-#include "waywright/search_window.hpp"
 
 #include "memory/scratch.hpp"
 #include "nav/abstraction.hpp"

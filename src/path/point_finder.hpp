@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "waywright/path.hpp"
-#include "waywright/search_window.hpp"
 
 #include "path/ground.hpp"
 #include "path/optimal.hpp"

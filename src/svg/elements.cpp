@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "text/text.hpp"
+#include "base/number_text.hpp"
 
 namespace waywright::svg {
 
@@ -182,9 +182,9 @@ std::string filled_mark(const Palette& palette, std::span<const Point> corners, 
 
 std::string point_text(const Point& position) {
   std::string text = "(";
-  text::append_number(text, position.x);
+  base::append_number(text, position.x);
   text += ", ";
-  text::append_number(text, position.y);
+  base::append_number(text, position.y);
   return text += ')';
 }
 
@@ -195,10 +195,10 @@ std::string ids_text(const std::vector<ItemId>& ids) {
     if (ids[i].is_null()) {
       text += "the domain";
     } else {
-      text::append_unsigned(text, ids[i].value);
+      base::append_unsigned(text, ids[i].value);
     }
   }
-  if (ids.size() > kMostIds) text += text::with_number(" and ", ids.size() - kMostIds, " more");
+  if (ids.size() > kMostIds) text += base::with_number(" and ", ids.size() - kMostIds, " more");
   return text;
 }
 
@@ -272,7 +272,7 @@ std::string line_sample(const Palette& palette, const Paint& colour, double stro
 }
 
 std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return text::with_number("", count, " ") + std::string(count == 1 ? one : many);
+  return base::with_number("", count, " ") + std::string(count == 1 ? one : many);
 }
 
 }  // namespace waywright::svg

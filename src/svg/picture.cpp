@@ -11,11 +11,11 @@
 #include "waywright/svg.hpp"
 
 #include "base/float_environment.hpp"
+#include "base/number_text.hpp"
 #include "svg/drawings.hpp"
 #include "svg/elements.hpp"
 #include "svg/theme.hpp"
 #include "svg/ticks.hpp"
-#include "text/text.hpp"
 
 // The page of a picture: where its parts lie, the title, the axes and the legend; and the two public functions.
 
@@ -54,13 +54,13 @@ constexpr double kRoomy = 480.0;  // from this width on, title and legend start 
 
 std::string text_of(const Box& box) {
   std::string text = "(";
-  text::append_number(text, box.min.x);
+  base::append_number(text, box.min.x);
   text += ", ";
-  text::append_number(text, box.min.y);
+  base::append_number(text, box.min.y);
   text += ") to (";
-  text::append_number(text, box.max.x);
+  base::append_number(text, box.max.x);
   text += ", ";
-  text::append_number(text, box.max.y);
+  base::append_number(text, box.max.y);
   return text += ')';
 }
 

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "base/number_text.hpp"
 #include "text/text.hpp"
 
 namespace waywright::svg {
@@ -29,13 +30,13 @@ struct Decimal {
 
 std::string digits_of(std::int64_t mantissa) {
   std::string digits;
-  text::append_unsigned(digits, static_cast<std::uint64_t>(std::abs(mantissa)));
+  base::append_unsigned(digits, static_cast<std::uint64_t>(std::abs(mantissa)));
   return digits;
 }
 
 std::string signed_number(int value) {
   std::string text(value < 0 ? "-" : "");
-  text::append_unsigned(text, static_cast<std::uint64_t>(std::abs(value)));
+  base::append_unsigned(text, static_cast<std::uint64_t>(std::abs(value)));
   return text;
 }
 

@@ -6,10 +6,10 @@
 
 #include "waywright/mesh_snapshot.hpp"
 
+#include "base/number_text.hpp"
 #include "svg/drawings.hpp"
 #include "svg/elements.hpp"
 #include "svg/path_data.hpp"
-#include "text/text.hpp"
 
 namespace waywright::svg {
 
@@ -180,7 +180,7 @@ class WorldDrawer {
       return;
     }
     out += "\">";
-    append_hint(out, text::with_number(kind, id.value, ""));
+    append_hint(out, base::with_number(kind, id.value, ""));
     out += "</path>\n";
   }
 
@@ -224,7 +224,7 @@ class WorldDrawer {
       std::string dot = circle(frame_.to_picture(item.shape.rings.front().front()), strokes_.dot);
       dot.erase(dot.size() - 2);  // removes the end of the element, `/>`
       out += dot + '>';
-      append_hint(out, text::with_number(std::string(to_string(item.shape.kind)) + " ", item.id.value, ""));
+      append_hint(out, base::with_number(std::string(to_string(item.shape.kind)) + " ", item.id.value, ""));
       out += "</circle>\n";
     }
     return out + "</g>\n";

@@ -132,24 +132,6 @@ std::optional<ItemId> read_id(std::string_view word) {
   return ItemId{*value};
 }
 
-void append_number(std::string& out, double value) {
-  std::array<char, 32> buffer{};
-  // Adding 0 changes -0.0 into 0.0 and leaves every other value as it is.
-  out.append(buffer.data(), base::write_shortest(buffer.data(), buffer.data() + buffer.size(), value + 0.0));
-}
-
-void append_unsigned(std::string& out, std::uint64_t value) {
-  std::array<char, 24> buffer{};
-  out.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
-}
-
-std::string with_number(std::string_view before, std::uint64_t number, std::string_view after) {
-  std::string text(before);
-  append_unsigned(text, number);
-  text += after;
-  return text;
-}
-
 std::string in_quotes(std::string_view word) {
   constexpr std::size_t kLongest = 40;
   constexpr std::string_view kHex = "0123456789abcdef";
@@ -170,7 +152,7 @@ std::string in_quotes(std::string_view word) {
 
 Error error_at(ErrorCode code, std::string_view name, std::uint64_t line, std::string_view what) {
   std::string message(name);
-  message += with_number(":", line, ": ");
+  message += base::with_number(":", line, ": ");
   message += what;
   return Error{.code = code, .words = std::move(message), .item = {}, .index = line};
 }

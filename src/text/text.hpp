@@ -74,14 +74,6 @@ class WordReader {
 /// Reads an id from 1 to 2^63 - 1. Returns null if the word is no such id.
 [[nodiscard]] std::optional<ItemId> read_id(std::string_view word);
 
-/// Appends the shortest text that reads back as the same double, and `0` for -0.0.
-void append_number(std::string& out, double value);
-
-void append_unsigned(std::string& out, std::uint64_t value);
-
-/// Returns `before`, the digits of the number, and `after` as one text.
-[[nodiscard]] std::string with_number(std::string_view before, std::uint64_t number, std::string_view after);
-
 /// Returns a word in quotes, for a message. Shortens a long word, and writes bytes that are not printable as `\xNN`.
 [[nodiscard]] std::string in_quotes(std::string_view word);
 

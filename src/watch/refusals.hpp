@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "waywright/changed_box.hpp"
+#include "waywright/change.hpp"
 #include "waywright/path.hpp"
 
 #include "watch/box_grid.hpp"

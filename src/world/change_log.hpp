@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "waywright/changed_box.hpp"
+#include "waywright/change.hpp"
 #include "waywright/memory_use.hpp"
 #include "waywright/point.hpp"
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string_view>
 
 #include "waywright/assert.hpp"
 
@@ -219,6 +221,39 @@ PathPosition only_position(const Point& point, Precision precision) {
 }
 
 }  // namespace
+
+std::string_view to_string(PathStatus status) {
+  switch (status) {
+    case PathStatus::found:
+      return "found";
+    case PathStatus::start_blocked:
+      return "start-blocked";
+    case PathStatus::goal_blocked:
+      return "goal-blocked";
+    case PathStatus::no_path:
+      return "no-path";
+  }
+  return "unknown";
+}
+
+std::string_view to_string(PathAlgorithm algorithm) {
+  switch (algorithm) {
+    case PathAlgorithm::ta:
+      return "ta";
+    case PathAlgorithm::tra:
+      return "tra";
+    case PathAlgorithm::optimal:
+      return "optimal";
+  }
+  return "unknown";
+}
+
+std::optional<PathAlgorithm> path_algorithm(std::string_view name) {
+  for (const PathAlgorithm algorithm : {PathAlgorithm::ta, PathAlgorithm::tra, PathAlgorithm::optimal}) {
+    if (to_string(algorithm) == name) return algorithm;
+  }
+  return std::nullopt;
+}
 
 PathPosition Path::at(double distance, Precision precision) const { return advance({}, distance, precision); }
 

@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "waywright/path.hpp"
 #include "waywright/path_search.hpp"
-#include "waywright/search_window.hpp"
 #include "waywright/world.hpp"
 
 #include "support/random.hpp"

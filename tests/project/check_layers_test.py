@@ -10,7 +10,7 @@ from pathlib import Path
 SCRIPT = Path(__file__).resolve().parents[2] / "scripts" / "check_layers.py"
 sys.path.insert(0, str(SCRIPT.parent))
 sys.dont_write_bytecode = True
-from check_layers import ALL, ROOMS, VALUES, Checker  # noqa: E402 (found by the line above)
+from check_layers import ALL, OF_ITS_ROOMS, PUBLIC_HEADERS, ROOMS, Checker  # noqa: E402 (found by the line above)
 
 GOOD = {
     "include/waywright/point.hpp": "#pragma once\n",
@@ -76,6 +76,7 @@ BAD = [
     ("src/locate/walk.hpp", '"support/scenes.hpp"'),
     ("include/waywright/world.hpp", '"exact/sign.hpp"'),
     ("include/waywright/world.hpp", '"base/compiler.hpp"'),
+    ("include/waywright/id.hpp", '"waywright/world.hpp"'),
     ("include/waywright/world.hpp", '"world/world_impl.hpp"'),
     ("include/waywright/world.hpp", "<boost/version.hpp>"),
     ("tools/waywright/main.cpp", '"mesh/mesh.hpp"'),
@@ -153,13 +154,17 @@ class ArchitectureTest(unittest.TestCase):
         table = self.page[self.page.index("| room | subject |") :].split("\n\n")[0]
         rows = [re.findall(r"[^|]+", line) for line in table.splitlines()[2:]]
         described = {}
-        for name, _, rooms, public in rows:
+        owned = {}
+        for name, _, rooms, public, own in rows:
             headers = frozenset(f"{header}.hpp" for header in re.findall("`([^`]+)`", public))
             described[name.strip(" `")] = (
                 frozenset(re.findall("`([^`]+)`", rooms)),
-                ALL if public.strip() == "all" else headers | (VALUES if "values" in public else frozenset()),
+                {"all": ALL, "of its rooms": OF_ITS_ROOMS}.get(public.strip(), headers),
             )
+            if own.strip() != "none":
+                owned[Path(name.strip(" `")).name] = set(re.findall("`([^`]+)`", own))
         self.assertEqual(described, {name: (room.rooms, room.public) for name, room in ROOMS.items()})
+        self.assertEqual(owned, PUBLIC_HEADERS)
 
     def test_the_sketch_shows_each_room_of_the_library(self):
         sketch = self.page[self.page.index("## Rooms") :].split("```")[1]

@@ -12,8 +12,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "base/number_text.hpp"
+
 namespace waywright::text {
 namespace {
+
+using base::append_number;
+using base::append_unsigned;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

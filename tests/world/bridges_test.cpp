@@ -1,5 +1,3 @@
-#include "waywright/bridges.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "waywright/clearance.hpp"
 #include "waywright/world.hpp"
 
 #include "support/bridges_oracle.hpp"

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/number_text.hpp"
 #include "formats/scene_builder.hpp"
 
 namespace waywright::formats {
@@ -112,7 +113,7 @@ void ObjReader::check_height(double height) {
   if (height == height_) return;
   const auto text_of = [](double value) {
     std::string text;
-    text::append_number(text, value);
+    base::append_number(text, value);
     return text;
   };
   refuse(start_, "the z of the vertices above, " + text_of(height_),

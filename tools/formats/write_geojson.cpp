@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/number_text.hpp"
 #include "formats/geojson.hpp"
-#include "text/text.hpp"
 
 namespace waywright::formats {
 
@@ -13,9 +13,9 @@ namespace {
 
 void append_position(std::string& out, const Point& point) {
   out += '[';
-  text::append_number(out, point.x);
+  base::append_number(out, point.x);
   out += ',';
-  text::append_number(out, point.y);
+  base::append_number(out, point.y);
   out += ']';
 }
 
@@ -68,7 +68,7 @@ void append_member(std::string& out, std::string_view name, double value) {
   out += ",\"";
   out += name;
   out += "\":";
-  text::append_number(out, value);
+  base::append_number(out, value);
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ GeoJsonWriter::GeoJsonWriter(const Box& domain, bool y_down) {
   text_ += kOwnMember;
   text_ += "\":{\"domain\":[";
   for (const double bound : {domain.min.x, domain.min.y, domain.max.x, domain.max.y}) {
-    text::append_number(text_, bound);
+    base::append_number(text_, bound);
     text_ += ',';
   }
   text_.back() = ']';
@@ -122,7 +122,7 @@ void GeoJsonWriter::add_mesh(const MeshSnapshot& mesh) {
     std::string properties = own_property("edge") + ",\"items\":[";
     for (std::uint32_t i = 0; i < edge.id_count; ++i) {
       if (i > 0) properties += ',';
-      text::append_unsigned(properties, mesh.ids[edge.first_id + i].value);
+      base::append_unsigned(properties, mesh.ids[edge.first_id + i].value);
     }
     properties += ']';
     begin_feature({}, properties, "LineString");

@@ -7,10 +7,10 @@
 
 #include "waywright/clearance.hpp"
 #include "waywright/error.hpp"
+#include "waywright/location.hpp"
 #include "waywright/memory_use.hpp"
 #include "waywright/path.hpp"
 #include "waywright/predicate_counts.hpp"
-#include "waywright/ray.hpp"
 #include "waywright/replay.hpp"
 #include "waywright/world.hpp"
 

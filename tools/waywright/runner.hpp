@@ -1,9 +1,9 @@
 #pragma once
 
 #include "waywright/error.hpp"
+#include "waywright/location.hpp"
 #include "waywright/path.hpp"
 #include "waywright/query_context.hpp"
-#include "waywright/ray.hpp"
 #include "waywright/script.hpp"
 #include "waywright/svg.hpp"
 #include "waywright/world.hpp"

@@ -3,16 +3,16 @@
 #include "waywright/assert.hpp"
 
 #include "base/float_environment.hpp"
-#include "text/text.hpp"
+#include "base/number_text.hpp"
 
 namespace waywright {
 
 std::string to_string(const Point& point) {
   const base::FloatEnvironment environment;
   std::string text = "(";
-  text::append_number(text, point.x);
+  base::append_number(text, point.x);
   text += ", ";
-  text::append_number(text, point.y);
+  base::append_number(text, point.y);
   return text += ')';
 }
 

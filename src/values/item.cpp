@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <numbers>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -99,6 +100,30 @@ Point direction(std::size_t i, std::size_t n) {
 }
 
 }  // namespace
+
+std::string_view to_string(ItemKind kind) {
+  switch (kind) {
+    case ItemKind::point:
+      return "point";
+    case ItemKind::segment:
+      return "segment";
+    case ItemKind::polyline:
+      return "polyline";
+    case ItemKind::polygon:
+      return "polygon";
+  }
+  return "unknown";
+}
+
+std::string_view to_string(FillRule rule) {
+  switch (rule) {
+    case FillRule::even_odd:
+      return "even-odd";
+    case FillRule::nonzero:
+      return "nonzero";
+  }
+  return "unknown";
+}
 
 Shape Shape::regular_polygon(const Point& centre, double radius, std::size_t corner_count) {
   const base::FloatEnvironment environment;

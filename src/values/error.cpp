@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "base/float_environment.hpp"
-#include "exact/position.hpp"
-#include "text/text.hpp"
+#include "base/number_text.hpp"
 
 namespace waywright {
 
@@ -69,7 +68,7 @@ void append_point_error(std::string& text, const Error& error) {
   const Point& point = error.words.point;
   const auto append_name = [&] {
     text += named.name;
-    if (named.has_number) text += text::with_number(" ", named.number, "");
+    if (named.has_number) text += base::with_number(" ", named.number, "");
     text += ", ";
   };
   if (error.code == ErrorCode::out_of_domain) {
@@ -82,7 +81,7 @@ void append_point_error(std::string& text, const Error& error) {
   const double value = is_x ? point.x : point.y;
   text += is_x ? "x of " : "y of ";
   append_name();
-  text::append_number(text, value);
+  base::append_number(text, value);
   if (!std::isfinite(value)) {
     text += ", is not finite";
   } else if (std::abs(value) > kLargestCoordinate) {
@@ -95,7 +94,7 @@ void append_point_error(std::string& text, const Error& error) {
 /// Appends the message of an error that names an id and perhaps a limit.
 void append_id_error(std::string& text, const Error& error) {
   const auto append_limit = [&](const char* before, const char* after) {
-    text += text::with_number("item ", error.item.value, before) + text::with_number("", error.words.limit, after);
+    text += base::with_number("item ", error.item.value, before) + base::with_number("", error.words.limit, after);
   };
   switch (error.code) {
     case ErrorCode::too_large:
@@ -106,10 +105,10 @@ void append_id_error(std::string& text, const Error& error) {
                    " new vertices, its limit; divide the operation or raise the limit");
       break;
     case ErrorCode::id_in_use:
-      text += text::with_number("an item has id ", error.item.value, " already");
+      text += base::with_number("an item has id ", error.item.value, " already");
       break;
     case ErrorCode::unknown_id:
-      text += text::with_number("no item has id ", error.item.value, "");
+      text += base::with_number("no item has id ", error.item.value, "");
       break;
     case ErrorCode::bad_id:
       text += "ids go from 1 to 2^63 - 1, and " + text_of_bad_id(error.item) + " is not an id";
@@ -124,7 +123,7 @@ void append_id_error(std::string& text, const Error& error) {
 std::string Error::message() const {
   const base::FloatEnvironment environment;
   std::string text;
-  if (words.element_noun != nullptr) text = words.element_noun + text::with_number(" ", index, ": ");
+  if (words.element_noun != nullptr) text = words.element_noun + base::with_number(" ", index, ": ");
   if (!words.text.empty()) {
     text += words.text;
   } else if (words.literal != nullptr) {
