@@ -3,14 +3,7 @@
 #include <array>
 #include <system_error>
 
-#include "base/ieee.hpp"
-
-#if defined(WAYWRIGHT_NUMBERS_BY_FAST_FLOAT)
-#include "base/read_by_fast_float.hpp"
-#endif
-#if defined(WAYWRIGHT_NUMBERS_BY_FMT)
-#include "base/write_by_fmt.hpp"
-#endif
+#include "base/number_text_fallbacks.hpp"
 
 namespace waywright::base {
 

@@ -15,7 +15,6 @@
 
 #include "constraint/constrained_triangulation.hpp"
 #include "memory/count.hpp"
-#include "memory/free_list.hpp"
 #include "memory/journal.hpp"
 #include "mesh/touched_faces.hpp"
 

@@ -12,7 +12,6 @@
 #include "constraint/item_hash.hpp"
 #include "memory/array.hpp"
 #include "memory/count.hpp"
-#include "memory/free_list.hpp"
 #include "memory/journal.hpp"
 #include "memory/pages.hpp"
 #include "mesh/index.hpp"

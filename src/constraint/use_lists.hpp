@@ -4,7 +4,6 @@
 
 #include "waywright/memory_use.hpp"
 
-#include "memory/free_list.hpp"
 #include "memory/journal.hpp"
 
 namespace waywright::constraint {

@@ -10,7 +10,7 @@
 #include "exact/position.hpp"
 #include "memory/array.hpp"
 #include "memory/count.hpp"
-#include "memory/free_list.hpp"
+#include "memory/journal.hpp"
 
 namespace waywright::exact {
 

@@ -25,7 +25,7 @@ namespace waywright::exact {
 ///   constructed    up to 2^61            504        1,258    8 and 20
 ///
 /// For constructed positions whose coordinates differ by at most 2^b, the numbers of bits are 8 b + 8 and 20 b + 18.
-/// This follows from the widths that LatticePoint states and from the determinants in lattice.cpp.
+/// This follows from the widths that LatticePoint states and from the determinants in predicates.cpp.
 ///
 /// The functions return nothing if the points lie on no lattice in whose units their offsets are small enough. If no
 /// lattice with one unit for both axes exists, orientation() and compare() use a unit for each axis: their answers do

@@ -11,7 +11,6 @@
 #include "base/compiler.hpp"
 #include "memory/array.hpp"
 #include "memory/count.hpp"
-#include "memory/free_list.hpp"
 #include "memory/journal.hpp"
 #include "memory/pages.hpp"
 #include "mesh/index.hpp"

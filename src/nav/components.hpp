@@ -12,7 +12,6 @@
 
 #include "base/compiler.hpp"
 #include "constraint/constrained_triangulation.hpp"
-#include "memory/free_list.hpp"
 #include "memory/journal.hpp"
 #include "nav/cover_tree.hpp"
 

@@ -6,7 +6,6 @@
 
 #include "waywright/memory_use.hpp"
 
-#include "memory/free_list.hpp"
 #include "memory/journal.hpp"
 #include "memory/pages.hpp"
 

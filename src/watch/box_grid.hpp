@@ -11,7 +11,7 @@
 #include "waywright/point.hpp"
 
 #include "base/ieee.hpp"
-#include "memory/free_list.hpp"
+#include "memory/journal.hpp"
 
 namespace waywright::watch {
 

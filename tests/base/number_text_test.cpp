@@ -17,13 +17,18 @@
 #include "support/random.hpp"
 
 #if __has_include(<fast_float/fast_float.h>)
-#include "base/read_by_fast_float.hpp"
+#if !defined(WAYWRIGHT_NUMBERS_BY_FAST_FLOAT)
+#define WAYWRIGHT_NUMBERS_BY_FAST_FLOAT
+#endif
 #define WAYWRIGHT_TEST_READS
 #endif
 #if __has_include(<fmt/format.h>)
-#include "base/write_by_fmt.hpp"
+#if !defined(WAYWRIGHT_NUMBERS_BY_FMT)
+#define WAYWRIGHT_NUMBERS_BY_FMT
+#endif
 #define WAYWRIGHT_TEST_WRITES
 #endif
+#include "base/number_text_fallbacks.hpp"
 
 // Compares the replacements for functions that some standard libraries lack with the standard functions. Needs a
 // standard library that has these functions.

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "memory/free_list.hpp"
 #include "memory/scratch.hpp"
 #include "support/random.hpp"
 

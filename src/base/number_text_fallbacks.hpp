@@ -1,5 +1,8 @@
 #pragma once
 
+// The conversions of number_text.hpp by fast_float and fmt, for standard libraries that lack the functions. Each half
+// exists if its macro is defined.
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -7,13 +10,44 @@
 #include <cstddef>
 #include <cstdlib>
 #include <string_view>
+#include <system_error>
 
+#include "base/ieee.hpp"
+
+#if defined(WAYWRIGHT_NUMBERS_BY_FAST_FLOAT)
+#include <fast_float/fast_float.h>
+#endif
+#if defined(WAYWRIGHT_NUMBERS_BY_FMT)
 #if !defined(FMT_HEADER_ONLY)
 #define FMT_HEADER_ONLY
 #endif
 #include <fmt/compile.h>
+#endif
 
 namespace waywright::base {
+
+#if defined(WAYWRIGHT_NUMBERS_BY_FAST_FLOAT)
+
+/// Does what std::from_chars(first, last, value) does, with the library fast_float.
+inline std::from_chars_result read_by_fast_float(const char* first, const char* last, double& value) {
+  double read = 0.0;
+  const fast_float::from_chars_result result = fast_float::from_chars(first, last, read);
+  if (result.ec != std::errc{}) return {result.ptr, result.ec};
+  // Before version 5, fast_float reports no range error but returns infinity or 0. The digits before the exponent
+  // reveal such an error: the words for infinity have no digits, and a true 0 has no digit other than 0.
+  const char* const mantissa_end = std::find_if(first, result.ptr, [](char c) { return c == 'e' || c == 'E'; });
+  const auto has = [&](char least) {
+    return std::any_of(first, mantissa_end, [least](char c) { return c >= least && c <= '9'; });
+  };
+  if ((std::isinf(read) && has('0')) || (read == 0.0 && has('1'))) {
+    return {result.ptr, std::errc::result_out_of_range};
+  }
+  value = read;
+  return {result.ptr, std::errc{}};
+}
+
+#endif
+#if defined(WAYWRIGHT_NUMBERS_BY_FMT)
 
 /// The shortest decimal digits that read back as the same double. The value is 0.d1 d2 d3 ... times 10^point.
 struct ShortestDigits {
@@ -79,5 +113,7 @@ inline char* write_shortest_by_fmt(char* first, char* last, double value) {
 inline char* write_rounded_by_fmt(char* first, char* /*last*/, double value, int digits) {
   return fmt::format_to(first, FMT_COMPILE("{:.{}g}"), value, digits);
 }
+
+#endif
 
 }  // namespace waywright::base
