@@ -10,9 +10,6 @@ import re
 import sys
 from pathlib import Path
 
-# Rooms that still contain such headers. The check leaves them out.
-UNFINISHED = frozenset({"watch", "world"})
-
 FOLDERS = ("include", "src", "bindings", "tools", "examples", "bench", "tests")
 SUFFIXES = {".hpp", ".inl", ".h", ".cpp"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
@@ -29,13 +26,13 @@ def users_of_headers(root):
     return users
 
 
-def check(root, unfinished=UNFINISHED):
+def check(root):
     users = users_of_headers(root)
     faults = []
     for header in sorted((root / "src").rglob("*.hpp")):
         path = header.relative_to(root / "src")
         including = users.get(path.as_posix(), [])
-        if len(including) == 1 and not including[0].startswith("tests/") and path.parts[0] not in unfinished:
+        if len(including) == 1 and not including[0].startswith("tests/"):
             faults.append(f"src/{path.as_posix()}:1: only {including[0]} includes this header")
     return faults
 

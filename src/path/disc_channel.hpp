@@ -6,11 +6,10 @@
 #include <vector>
 
 #include "memory/scratch.hpp"
-#include "path/channel_node.hpp"
+#include "path/channel.hpp"
 #include "path/disc_ends.hpp"
 #include "path/disc_map.hpp"
 #include "path/open_list.hpp"
-#include "path/sight.hpp"
 
 namespace waywright::path {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "path/answer.hpp"
 #include "path/pieces.hpp"
-#include "path/reset.hpp"
 #include "path/tangent.hpp"
 
 namespace waywright::path {

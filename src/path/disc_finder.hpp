@@ -9,6 +9,7 @@
 #include "waywright/path.hpp"
 
 #include "clearance/disc_passage.hpp"
+#include "path/answer.hpp"
 #include "path/disc_channel.hpp"
 #include "path/disc_ends.hpp"
 #include "path/disc_guide.hpp"
@@ -18,7 +19,6 @@
 #include "path/disc_string.hpp"
 #include "path/fit_finder.hpp"
 #include "path/ground.hpp"
-#include "path/search_clock.hpp"
 
 namespace waywright::path {
 

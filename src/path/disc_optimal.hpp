@@ -8,7 +8,6 @@
 #include "path/disc_ends.hpp"
 #include "path/disc_line.hpp"
 #include "path/disc_map.hpp"
-#include "path/disc_pieces.hpp"
 #include "path/disc_turn.hpp"
 #include "path/guide_distances.hpp"
 #include "path/open_list.hpp"

@@ -7,7 +7,6 @@
 #include "path/disc_ends.hpp"
 #include "path/disc_line.hpp"
 #include "path/disc_map.hpp"
-#include "path/disc_pieces.hpp"
 #include "path/disc_turn.hpp"
 
 namespace waywright::path {

@@ -7,7 +7,6 @@
 #include "base/ieee.hpp"
 #include "path/distance.hpp"
 #include "path/tangent.hpp"
-#include "path/unit_vector.hpp"
 
 namespace waywright::path {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "path/reset.hpp"
+#include "path/answer.hpp"
 
 namespace waywright::path {
 

@@ -5,10 +5,10 @@
 
 #include "waywright/path.hpp"
 
+#include "path/answer.hpp"
 #include "path/ground.hpp"
 #include "path/optimal.hpp"
 #include "path/point_ends.hpp"
-#include "path/search_clock.hpp"
 #include "path/ta_star.hpp"
 #include "path/tra_star.hpp"
 

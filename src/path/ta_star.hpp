@@ -10,7 +10,7 @@
 #include "path/looked_at.hpp"
 #include "path/open_list.hpp"
 #include "path/point_ends.hpp"
-#include "path/taut_tree.hpp"
+#include "path/taut_string.hpp"
 
 namespace waywright::path {
 

@@ -7,10 +7,9 @@
 
 #include "memory/scratch.hpp"
 #include "nav/abstraction.hpp"
-#include "path/channel_node.hpp"
+#include "path/channel.hpp"
 #include "path/open_list.hpp"
 #include "path/point_ends.hpp"
-#include "path/sight.hpp"
 #include "path/taut_string.hpp"
 
 namespace waywright::path {

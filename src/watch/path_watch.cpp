@@ -15,17 +15,16 @@
 #include "constraint/slot_sets.hpp"
 #include "nav/abstraction.hpp"
 #include "nav/point_agent.hpp"
+#include "path/answer.hpp"
 #include "path/fit_finder.hpp"
 #include "path/pieces.hpp"
 #include "path/point_ends.hpp"
 #include "path/polyline_walk.hpp"
-#include "path/reset.hpp"
-#include "watch/areas.hpp"
 #include "watch/box_grid.hpp"
 #include "watch/box_tests.hpp"
 #include "watch/key_order.hpp"
 #include "watch/refusals.hpp"
-#include "world/point_error.hpp"
+#include "world/query_errors.hpp"
 #include "world/world_impl.hpp"
 
 namespace waywright {
@@ -388,8 +387,9 @@ void PathWatch::Impl::check_box(const ChangedBox& changed, const World& world, B
   const bool may_lose = may_lose_crossing(changed, boxes);
   const bool may_change = changed.is_insertion || may_lose || blocked_count != 0;
   const auto look_at = [&](const Piece& piece, const Box& around) {
+    if (!may_touch_diagonal(around, piece.diagonal, changed.box, slack)) return;
     State& state = states[piece.slot];
-    if (state.seen_by == updates || !may_touch_diagonal(around, piece.diagonal, changed.box, slack)) return;
+    if (state.seen_by == updates) return;
     const Watched& path = watched[piece.slot];
     if (state.is_for_disc) {
       const std::span<const PathPiece> all = path.pieces;

@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-#include "world/point_error.hpp"
+#include "world/query_errors.hpp"
 
 namespace waywright {
 

@@ -8,8 +8,7 @@
 #include "constraint/item_queries.hpp"
 #include "nav/abstraction.hpp"
 #include "path/fit_finder.hpp"
-#include "world/path_query_error.hpp"
-#include "world/point_error.hpp"
+#include "world/query_errors.hpp"
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
 

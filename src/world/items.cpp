@@ -2,7 +2,7 @@
 
 #include "constraint/item_queries.hpp"
 #include "world/change_check.hpp"
-#include "world/item_shape.hpp"
+#include "world/layers.hpp"
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
 

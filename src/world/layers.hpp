@@ -175,4 +175,7 @@ void Layers::insert_all(const Batch& batch, const threads::ThreadTeam& team) {
   for (std::size_t i = 0; i < batch.size(); ++i) note_changed(batch.id(i));
 }
 
+/// Fills `shape` with the shape of a live item. Reuses the memory of `shape`.
+void fill_shape(const constraint::ConstrainedTriangulation& triangulation, ItemId id, Shape& shape);
+
 }  // namespace waywright

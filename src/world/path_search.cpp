@@ -10,8 +10,8 @@
 #include "path/finder.hpp"
 #include "path/fit_finder.hpp"
 #include "path/looked_at.hpp"
-#include "world/path_query_error.hpp"
-#include "world/touch_log.hpp"
+#include "world/change_log.hpp"
+#include "world/query_errors.hpp"
 #include "world/world_impl.hpp"
 
 namespace waywright {

@@ -14,8 +14,7 @@
 #include "path/pieces.hpp"
 #include "path/polyline_walk.hpp"
 #include "threads/thread_team.hpp"
-#include "world/path_query_error.hpp"
-#include "world/point_error.hpp"
+#include "world/query_errors.hpp"
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
 

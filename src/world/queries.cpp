@@ -6,7 +6,7 @@
 #include "base/float_environment.hpp"
 #include "constraint/item_queries.hpp"
 #include "nav/abstraction.hpp"
-#include "world/point_error.hpp"
+#include "world/query_errors.hpp"
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
 

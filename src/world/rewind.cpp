@@ -9,7 +9,7 @@
 #include "base/float_environment.hpp"
 #include "constraint/batch.hpp"
 #include "world/history.hpp"
-#include "world/item_shape.hpp"
+#include "world/layers.hpp"
 #include "world/world_impl.hpp"
 
 // The functions that bring back an earlier state of a world.

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,13 +15,151 @@
 #include "waywright/memory_use.hpp"
 #include "waywright/world.hpp"
 
+#include "base/compiler.hpp"
+#include "constraint/constrained_triangulation.hpp"
 #include "memory/arena.hpp"
-#include "world/changed_items.hpp"
+#include "memory/count.hpp"
+#include "mesh/index.hpp"
+#include "nav/abstraction.hpp"
 #include "world/history.hpp"
-#include "world/items_at_tick.hpp"
-#include "world/replica_prefetch.hpp"
+#include "world/layers.hpp"
 
 namespace waywright {
+
+/// The items that a world has now, or had at a tick of its history.
+class ItemsAtTick {
+ public:
+  /// The items of now.
+  explicit ItemsAtTick(const constraint::ConstrainedTriangulation& now) : now_(now) {}
+  /// The items at a tick. `changed` is the answer of History::changed_since() for this tick.
+  ItemsAtTick(const constraint::ConstrainedTriangulation& now, const History& history,
+              std::span<const History::ChangedItem> changed)
+      : now_(now), history_(&history), changed_(changed) {}
+
+  /// Returns whether the item is one of these items. If it is, writes its shape to `shape`.
+  [[nodiscard]] bool find(ItemId id, Shape& shape) const {
+    const auto comes_before = [](const History::ChangedItem& item, ItemId other) { return item.id < other; };
+    const auto found = std::lower_bound(changed_.begin(), changed_.end(), id, comes_before);
+    if (found != changed_.end() && found->id == id) {
+      if (!history_->was_live(*found)) return false;
+      shape = history_->shape(*found);
+      return true;
+    }
+    if (!now_.items().contains(id)) return false;
+    fill_shape(now_, id, shape);
+    return true;
+  }
+
+  /// Returns the answer of History::version_after(). Requires: changed() contains the item.
+  [[nodiscard]] std::optional<std::uint64_t> version_after(const History::ChangedItem& item) const {
+    return history_->version_after(item);
+  }
+
+  /// The items that have changed since the tick. Empty for the items of now.
+  [[nodiscard]] std::span<const History::ChangedItem> changed() const { return changed_; }
+
+ private:
+  const constraint::ConstrainedTriangulation& now_;
+  const History* history_ = nullptr;
+  std::span<const History::ChangedItem> changed_;  ///< ascending by id
+};
+
+/// Prefetches the memory that a replica needs when it repeats changes of its world. In a large world, a change at a
+/// random place spends most of its time waiting for memory, one address after the other. This class knows all items
+/// before the first change. So it looks at all of them in turn, one step each, and the processor fetches the memory for
+/// the next steps at the same time. It changes nothing, and answers do not depend on it.
+class ReplicaPrefetch {
+ public:
+  using Triangulation = constraint::ConstrainedTriangulation;
+
+  /// The largest number of items for one call of run(): the cache has room for the surroundings of this many items.
+  static constexpr std::size_t kItems = 16;
+
+  /// Prefetches what the replica needs to remove its items with these ids, and to insert the items with these ids of
+  /// the world. `abstraction` is the abstraction of the replica, or null.
+  void run(const Triangulation& replica, const Triangulation& world, const nav::Abstraction* abstraction,
+           std::span<const ItemId> ids);
+
+  void count_memory(MemoryUse& use) const { memory::count_spare(use, corners_, new_corners_, starts_, spokes_); }
+
+ private:
+  void find_corners(const Triangulation& replica, const Triangulation& world, std::span<const ItemId> ids);
+  void advance_spokes(const Triangulation& replica, const nav::Abstraction* abstraction);
+
+  /// The spoke at which the prefetch around a corner has arrived.
+  struct Spoke {
+    mesh::HalfEdge h;
+    mesh::HalfEdge first;  ///< the spoke at which it started
+    mesh::Face before;     ///< the face of the spoke before `h`
+  };
+
+  std::vector<mesh::Vertex> corners_;      ///< the corners of the old shapes, as vertices of the replica
+  std::vector<mesh::Vertex> new_corners_;  ///< the corners of the new shapes, as vertices of the world
+  std::vector<mesh::Vertex> starts_;       ///< the vertices of the replica at which the walks to the new corners start
+  std::vector<Spoke> spokes_;              ///< a spoke for each vertex of `corners_`
+};
+
+/// Records which items the operations on a world have changed, for its replicas. The record may contain items that have
+/// not changed: an operation that fails leaves its items here.
+class ChangedItems {
+ public:
+  /// Makes an empty record. It will have all changes after `version`.
+  explicit ChangedItems(std::uint64_t version) : complete_since_(version) {}
+
+  /// Sets a number of items: `limit`, but at least half of kSmallestCapacity. If the record has more when it needs more
+  /// memory, it drops the older half of them.
+  void set_limit(std::size_t limit) { limit_ = std::max(limit, kSmallestCapacity / 2); }
+  [[nodiscard]] std::size_t limit() const { return limit_; }
+  /// Lets the record drop the changes up to `version`. Does nothing if it has dropped them already.
+  void forget_until(std::uint64_t version);
+
+  /// An item, and a version of the world that is not before its last change.
+  struct Entry {
+    std::uint64_t version;
+    ItemId id;
+  };
+
+  /// Makes the record reach back to `version`. `changed` are the items that differ between the world of this version
+  /// and the present world, and the record then contains them. The version of an item may be much later than its last
+  /// change. (The record may lack an item that has changed since `version`, if a rewind has taken this change back.)
+  /// Requires: the record does not reach back to `version`.
+  void extend_to(std::uint64_t version, std::vector<Entry> changed);
+
+  /// Records an item that an operation inserts or removes. `version` is the version of the world after this operation.
+  /// Cost: amortised O(log n) in the items of the record.
+  void add(ItemId id, std::uint64_t version) {
+    if (version <= complete_since_) return;  // too many changes: the record lacks the changes of this operation
+    if (entries_.size() == entries_.capacity()) make_room(version);
+    if (version > complete_since_) entries_.push_back({version, id});
+  }
+
+  /// Returns whether the record reaches back to `version`: it has all items that have changed after this version,
+  /// except those that it may lack after extend_to().
+  [[nodiscard]] bool has_all_since(std::uint64_t version) const { return version >= complete_since_; }
+  /// Writes the items that have changed after `version` to `ids`, in the order of their versions (see Entry).
+  /// Items with the same version ascend by id. Requires: has_all_since(version).
+  /// Cost: n log n in the changes after `version`.
+  void since(std::uint64_t version, std::vector<ItemId>& ids);
+
+  void count_memory(MemoryUse& use) const { memory::count_spare(use, entries_, found_); }
+
+ private:
+  /// Removes the changes up to the version `complete_since_`.
+  void drop_forgotten();
+  /// Keeps the last entry of each item only, and sorts by version and id.
+  static void keep_last(std::vector<Entry>& entries);
+  /// Keeps the last entry of each item only. If there are still too many, drops the oldest. `version` is the version
+  /// after the operation in progress. Afterwards the array has room for one entry more.
+  void make_room(std::uint64_t version);
+
+  /// The capacity of `entries_` for the first entries.
+  static constexpr std::size_t kSmallestCapacity = 1024;
+
+  std::vector<Entry> entries_;    ///< ascending by version
+  std::vector<Entry> found_;      ///< scratch
+  std::uint64_t complete_since_;  ///< the version to which the record reaches back
+  std::size_t limit_ = kSmallestCapacity / 2;
+};
 
 namespace detail {
 

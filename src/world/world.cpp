@@ -7,7 +7,7 @@
 #include "base/float_environment.hpp"
 #include "constraint/canonical.hpp"
 #include "text/sha256.hpp"
-#include "world/point_error.hpp"
+#include "world/query_errors.hpp"
 #include "world/query_scratch.hpp"
 #include "world/world_impl.hpp"
 

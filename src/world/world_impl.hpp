@@ -17,12 +17,10 @@
 #include "world/change_log.hpp"
 #include "world/history.hpp"
 #include "world/layers.hpp"
-#include "world/limit_error.hpp"
 #include "world/operation.hpp"
-#include "world/path_query_error.hpp"
+#include "world/query_errors.hpp"
+#include "world/query_scratch.hpp"
 #include "world/snapshot_pool.hpp"
-#include "world/spare_context.hpp"
-#include "world/touch_log.hpp"
 
 namespace waywright {
 

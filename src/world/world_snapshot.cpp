@@ -13,7 +13,7 @@
 
 #include "base/compiler.hpp"
 #include "base/float_environment.hpp"
-#include "world/item_shape.hpp"
+#include "world/layers.hpp"
 #include "world/snapshot_pool.hpp"
 #include "world/world_impl.hpp"
 

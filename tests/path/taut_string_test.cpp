@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include "delaunay/triangulation.hpp"
-#include "path/taut_tree.hpp"
 #include "support/random.hpp"
 
 namespace waywright::test {

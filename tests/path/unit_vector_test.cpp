@@ -1,10 +1,9 @@
-#include "path/unit_vector.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "path/pieces.hpp"
 #include "path/tangent.hpp"
 #include "support/case_count.hpp"
 #include "support/random.hpp"

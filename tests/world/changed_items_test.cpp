@@ -1,9 +1,9 @@
-#include "world/changed_items.hpp"
-
 #include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "world/snapshot_pool.hpp"
 
 namespace waywright::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "world/touch_log.hpp"
+#include "world/change_log.hpp"
 
 #include <algorithm>
 

@@ -4,9 +4,12 @@
 #include <optional>
 
 #include "waywright/error.hpp"
+#include "waywright/path.hpp"
 #include "waywright/point.hpp"
 
+#include "constraint/operation.hpp"
 #include "exact/position.hpp"
+#include "world/layers.hpp"
 
 namespace waywright {
 
@@ -38,5 +41,34 @@ namespace waywright {
 
 /// Returns the error in the box of a query, or nothing. The box may reach beyond the domain.
 [[nodiscard]] std::optional<Error> find_box_error(const Box& box);
+
+// Each function returns the error in a path query, or nothing.
+
+[[nodiscard]] std::optional<Error> find_query_error(const Box& domain, const Kept& kept, const PathQuery& query);
+/// Returns the error in an agent, or nothing. An agent may have any finite radius from 0 on.
+[[nodiscard]] std::optional<Error> find_agent_error(const Agent& agent);
+/// Returns the error in the agent of a path query, or nothing.
+[[nodiscard]] std::optional<Error> find_agent_error(const Kept& kept, const Agent& agent);
+[[nodiscard]] std::optional<Error> find_tolerance_error(const std::optional<double>& tolerance);
+
+/// The error of an operation that has made too many vertices. `id` is the item at which the operation exceeded its
+/// limit.
+[[nodiscard]] inline Error limit_error(const constraint::VertexBudget& budget, ItemId id) {
+  const bool is_own_limit = budget.is_operation_limit_exceeded();
+  const constraint::VertexLimits& limits = budget.limits();
+  Error error{is_own_limit ? ErrorCode::too_many_vertices : ErrorCode::too_large, {}, id, 0};
+  error.words.limit = is_own_limit ? limits.of_operation : limits.of_triangulation;
+  return error;
+}
+
+/// The error of the insertion of a batch that has made too many vertices. Its index is the index of the item in the
+/// batch.
+template <class Triangulation, class Batch>
+[[nodiscard]] Error limit_error(const Triangulation& triangulation, const Batch& batch) {
+  const std::size_t index = triangulation.refused_index();
+  Error error = limit_error(triangulation.budget(), batch.id(index));
+  error.index = index;
+  return error;
+}
 
 }  // namespace waywright

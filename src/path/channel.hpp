@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
 #include "waywright/point.hpp"
 
+#include "mesh/triangle_mesh.hpp"
 #include "path/distance.hpp"
 
 namespace waywright::path {
@@ -62,6 +64,16 @@ class Sight {
   Point left_;
   Point right_;
   double length_ = 0.0;
+};
+
+/// A channel that a search has followed to the goal, or to a face where it has a choice.
+struct ChannelNode {
+  static constexpr std::uint32_t kNone = 0xffffffff;
+
+  mesh::HalfEdge exit;   ///< the half-edge through which the channel left the face of the node before
+  mesh::HalfEdge entry;  ///< the half-edge through which it entered this node's face
+  std::uint32_t before;  ///< the index of the node before, or kNone: the channel comes from a start face
+  Sight sight;
 };
 
 }  // namespace waywright::path
