@@ -1,5 +1,7 @@
 #include "nav/two_core.hpp"
 
+#include <unordered_map>
+
 #include "memory/count.hpp"
 #include "nav/point_agent.hpp"
 

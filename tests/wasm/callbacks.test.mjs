@@ -134,7 +134,7 @@ test('arguments with getters that call the package', () => {
   const changes = [{ kind: 'insert', shape: house, id: 30 }, { kind: 'replace', id: 2, shape: house }, { kind: 'remove', id: 1 }];
   const hash = (list) => world.attempt(list, (changed) => changed.meshHash());
   same(hash, changes);
-  same((list, points) => world.wouldDisconnect(list, points, 1), changes, [at(10, 70), at(50, 40)]);
+  same((list, points) => world.wouldDisconnect(list, points, { radius: 1 }), changes, [at(10, 70), at(50, 40)]);
   same((from, to) => world.ray(from, to), at(1, 1), at(90, 1));
   same((from, to) => world.ray(from, to, { radius: 1 }), at(5, 5), at(90, 5));
   same((box) => world.itemsIn(box), { min: at(30, 30), max: at(65, 65) });

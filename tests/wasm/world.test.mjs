@@ -107,8 +107,8 @@ test('locating and asking', () => {
 
 test('discs', () => {
   const world = makeWorld({ keepBridges: true });
-  assert.deepEqual(world.fitDisc(at(20, 50), 20), { fits: true, items: [] });
-  assert.deepEqual(world.fitDisc(at(20, 50), 25), { fits: false, items: [0, 1] });
+  assert.deepEqual(world.fitDisc(at(20, 50), { radius: 20 }), { fits: true, items: [] });
+  assert.deepEqual(world.fitDisc(at(20, 50), { radius: 25 }), { fits: false, items: [0, 1] });
   const swept = world.ray(at(10, 50), at(90, 50), { radius: 5 });
   assert.deepEqual([swept.hit, swept.at, swept.contact, swept.items], [true, at(35, 50), at(40, 50), [1]]);
   const fit = world.nearestFit({ point: at(38, 50), agent: { radius: 5 } });
