@@ -106,9 +106,7 @@ class BoxGrid {
     template <class Visit>
     void for_each_overlapping(const Box& box, const Visit& visit) const {
       for (std::size_t i = 0; i < boxes.size(); ++i) {
-        const bool is_apart = (boxes[i].max.x < box.min.x) | (boxes[i].min.x > box.max.x) |
-                              (boxes[i].max.y < box.min.y) | (boxes[i].min.y > box.max.y);
-        if (!is_apart) visit(entries[i].value, boxes[i]);
+        if (boxes[i].overlaps(box)) visit(entries[i].value, boxes[i]);
       }
     }
   };
