@@ -57,10 +57,4 @@ constexpr FileType type_of_bytes(std::string_view bytes) {
   return start != std::string_view::npos && bytes[start] == '{' ? FileType::geojson : FileType::script;
 }
 
-/// Returns the type of a file. A file that starts like a saved world is one, whatever its name. Otherwise the ending of
-/// the name decides; the result is null if no type has this ending.
-constexpr std::optional<FileType> type_of_file(std::string_view file_name, std::string_view bytes) {
-  return bytes.starts_with(kSavedWorldMagic) ? FileType::saved_world : type_of_name(file_name);
-}
-
 }  // namespace waywright::text
